@@ -1,0 +1,132 @@
+// Everything a run leaves behind, as plain data: what results.h5 holds and what the report is drawn
+// from. SI units and radians.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/vec2.h"
+#include "structures/response.h"
+#include "structures/verdict.h"
+
+namespace dougong::app {
+
+/// One block or terrain as it is drawn: outline in its own frame and where it stands at the start.
+struct DrawnShape {
+  std::string name;
+  std::vector<engine::Vec2> outline;  // m, about the centroid; empty for a circle
+  double radius = 0.0;                // m, of a circle
+  engine::Vec2 position;              // m, as described (before the settle)
+  double angle = 0.0;                 // rad
+  double mass = 0.0;                  // kg; 0 for terrain
+  int storey = -1;                    // index into the storeys; -1 for none
+  std::string material;
+};
+
+struct NamedValue {
+  std::string name;
+  std::string value;    // as printed, with its unit
+  std::string meaning;  // one line; may be empty
+};
+
+struct StoreySheet {
+  std::string name;
+  double base = 0.0;    // m
+  double height = 0.0;  // m
+  double mass = 0.0;    // kg
+  std::size_t blocks = 0;
+};
+
+struct ModelSheet {
+  std::string layout;
+  std::string title;                   // one line: what the building is
+  std::vector<NamedValue> parameters;
+  std::vector<NamedValue> materials;   // name, "E 30 GPa, 2400 kg/m3, friction 0.6, damping ratio 1"
+  std::vector<DrawnShape> blocks;
+  std::vector<DrawnShape> terrains;
+  std::vector<StoreySheet> storeys;
+  double mass = 0.0;                   // kg
+  std::size_t bonds = 0;
+  std::size_t contact_points = 0;      // touching after the settle
+  double period = 0.0;                 // s, small-amplitude; 0 when not found
+  double period_participation = 0.0;   // fraction of the mass that moves with that mode
+  std::vector<std::string> modelled;
+  std::vector<std::string> not_modelled;
+  std::vector<std::string> findings;   // of the model check
+};
+
+struct MotionSheet {
+  std::string title;                     // "synthetic Wenchuan-style / SYN1 / EW"
+  std::vector<NamedValue> provenance;    // event, station, component, file, sha256, units as found ...
+  std::vector<std::string> processing;   // in order, each with its numbers
+  std::vector<NamedValue> measures;      // PGA, PGV, PGD, Arias, CAV, D5-95 ...
+  double interval = 0.0;                 // s
+  std::vector<double> times;             // s, as applied to the terrain
+  std::vector<double> acceleration_x, velocity_x, displacement_x;  // m/s2, m/s, m
+  std::vector<double> acceleration_y, velocity_y, displacement_y;  // empty without a vertical motion
+  std::vector<double> spectrum_periods;  // s
+  std::vector<double> spectrum_psa;      // m/s2, 5 % damping, horizontal
+  double spectrum_at_period = 0.0;       // m/s2, PSa at the building's period; 0 without one
+};
+
+/// Cumulated energies (J), one entry an output time. error = kinetic + gravity + elastic + friction
+/// + damping - input - (their sum at the start).
+struct EnergyHistory {
+  std::vector<double> input, kinetic, gravity, elastic, friction, damping, error;
+  double largest_input = 0.0;    // J, greatest |input|
+  double relative_error = 0.0;   // greatest |error| over largest_input
+};
+
+struct SettleSheet {
+  bool settled = false;
+  double duration = 0.0;            // s, simulated
+  double greatest_movement = 0.0;   // m, of any block
+  double unbalanced_ratio = 0.0;    // largest net force over the body's weight
+};
+
+struct Numerics {
+  std::string integrator;
+  double step = 0.0;               // s, smallest used
+  double bound = 0.0;              // s, stability bound of that integrator for this scene
+  std::size_t steps = 0;
+  std::size_t step_reductions = 0;
+  std::string outcome;             // "completed", "diverged", "stopped by criterion", "interrupted"
+  std::string outcome_detail;
+  double end_time = 0.0;           // s, reached
+  double asked_time = 0.0;         // s, asked for
+  double deepest_overlap = 0.0;    // m
+  double deepest_overlap_ratio = 0.0;  // over the smaller block's minimum width
+  std::string deepest_overlap_where;   // "S1.column.left / ground at 3.21 s"
+  std::vector<double> overlap_ratio;   // one entry an output time
+  std::vector<std::string> warnings;
+};
+
+struct Reproducibility {
+  std::string version, git_hash, compiler, command, scenario, scenario_sha256, record_sha256, state_hash;
+  std::string started;         // ISO 8601, UTC
+  double wall_seconds = 0.0;
+  double cpu_seconds = 0.0;
+};
+
+/// A moment worth a picture.
+struct Moment {
+  double time = 0.0;     // s
+  std::string caption;   // "strongest shaking", "first loss of support" ...
+};
+
+struct RunResult {
+  structures::Verdict verdict;
+  bool partial = false;  // the run was interrupted
+  ModelSheet model;
+  MotionSheet motion;
+  SettleSheet settle;
+  structures::Trajectory trajectory;
+  structures::Response response;
+  EnergyHistory energy;   // at trajectory.times
+  Numerics numerics;
+  Reproducibility reproducibility;
+  std::vector<Moment> moments;
+};
+
+}  // namespace dougong::app

@@ -1,0 +1,56 @@
+// The description of a scene: plain data, before anything is computed. compile() makes it a Model.
+//
+// SI units and radians. Bodies have an out-of-plane thickness, so densities are kg/m3.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/material.h"
+#include "engine/motion.h"
+#include "engine/shape.h"
+
+namespace dougong::engine {
+
+inline constexpr double standard_gravity = 9.80665;  // m/s2
+
+struct Body {
+  std::string name;
+  Shape shape;
+  Vec2 position;                // m, of the centroid
+  double angle = 0.0;           // rad
+  Vec2 velocity;                // m/s
+  double spin = 0.0;            // rad/s
+  std::size_t material = 0;     // index into Scene::materials
+  double thickness = 1.0;       // m, out of plane
+  std::optional<double> mass;   // kg; instead of density x area x thickness
+};
+
+struct Terrain {
+  std::string name;
+  Shape shape;
+  Vec2 position;  // m, of the centroid, where the motion's displacement is zero
+  double angle = 0.0;
+  std::size_t material = 0;
+  std::shared_ptr<const PrescribedMotion> motion;  // null: fixed
+};
+
+struct ContactOptions {
+  /// Normal stiffness of every contact point (N/m) instead of the one that follows from the Young's
+  /// moduli, the block heights and the contact length.
+  std::optional<double> point_stiffness;
+  /// Tangential over normal stiffness, instead of G/E = 1/(2(1+nu)).
+  std::optional<double> tangential_ratio;
+};
+
+struct Scene {
+  std::vector<Material> materials{Material{}};
+  std::vector<Body> bodies;
+  std::vector<Terrain> terrains;
+  Vec2 gravity{0.0, -standard_gravity};  // m/s2
+  ContactOptions contact;
+};
+
+}  // namespace dougong::engine

@@ -1,0 +1,68 @@
+// Shapes of bodies and terrain, in their own frame, with exact mass properties.
+//
+// A polygon is convex, anticlockwise, without repeated or collinear vertices, and its centroid is the
+// origin of its frame. Mass properties are integrals over the area (Green's theorem), computed about
+// a local origin so that a far-away polygon loses no digits.
+#pragma once
+
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "engine/vec2.h"
+
+namespace dougong::engine {
+
+struct Circle {
+  double radius = 0.0;  // m
+};
+
+class ConvexPolygon {
+ public:
+  const std::vector<Vec2>& vertices() const { return vertices_; }
+  std::size_t size() const { return vertices_.size(); }
+  Vec2 vertex(std::size_t i) const { return vertices_[i % vertices_.size()]; }
+  /// Outward unit normal of the edge from vertex i to vertex i + 1.
+  Vec2 normal(std::size_t i) const { return normals_[i]; }
+
+ private:
+  friend struct PlacedPolygon make_polygon(std::span<const Vec2> points);
+  std::vector<Vec2> vertices_;
+  std::vector<Vec2> normals_;
+};
+
+using Shape = std::variant<Circle, ConvexPolygon>;
+
+/// A polygon moved to its centroid frame, and where that centroid was.
+struct PlacedPolygon {
+  ConvexPolygon polygon;
+  Vec2 centroid;
+};
+
+/// Takes points in either sense of rotation, drops repeated and collinear ones.
+/// Throws std::invalid_argument with the reason for fewer than three corners, zero area, non-finite,
+/// non-convex or self-crossing outlines.
+PlacedPolygon make_polygon(std::span<const Vec2> points);
+/// Rectangle of the given full width (x) and height (y). Throws std::invalid_argument unless both > 0.
+ConvexPolygon make_rectangle(double width, double height);
+/// Throws std::invalid_argument unless radius > 0.
+Circle make_circle(double radius);
+
+struct AreaProperties {
+  double area = 0.0;           // m2
+  double second_moment = 0.0;  // m4, polar, about the centroid
+};
+struct MassProperties {
+  double mass = 0.0;     // kg
+  double inertia = 0.0;  // kg m2, about the centroid
+};
+
+AreaProperties area_properties(const Shape& shape);
+MassProperties mass_properties(const Shape& shape, double density, double thickness);
+/// Radius of the smallest circle about the centroid that holds the shape (m).
+double bounding_radius(const Shape& shape);
+/// Smallest distance between two parallel supporting lines: what an overlap is compared with (m).
+double minimum_width(const Shape& shape);
+
+}  // namespace dougong::engine
