@@ -13,18 +13,18 @@
 namespace dougong::structures {
 
 struct Storey {
-  std::string name;          // "S1"
-  double base = 0.0;         // m, elevation of the level below
-  double height = 0.0;       // m, original height h_i
-  std::vector<std::size_t> level_blocks;    // blocks whose mean displacement is the level's
-  std::vector<std::size_t> storey_blocks;   // every block of the storey, level blocks included
+  std::string name;                        // "S1"
+  double base = 0.0;                       // m, elevation of the level below
+  double height = 0.0;                     // m, original height h_i
+  std::vector<std::size_t> level_blocks;   // blocks whose mean displacement is the level's
+  std::vector<std::size_t> storey_blocks;  // every block of the storey, level blocks included
 };
 
 struct Building {
-  std::string layout;                              // name of the generator
-  std::map<std::string, std::string> parameters;   // as printed, with units
-  engine::Scene scene;                             // terrain 0 is the ground
-  std::vector<Storey> storeys;                     // bottom up
+  std::string layout;                             // name of the generator
+  std::map<std::string, std::string> parameters;  // as printed, with units
+  engine::Scene scene;                            // terrain 0 is the ground
+  std::vector<Storey> storeys;                    // bottom up
 };
 
 }  // namespace dougong::structures

@@ -1,11 +1,14 @@
 // Response of a building: what engineers ask of a run.
 //
 //   u_i(t)   mean horizontal displacement of the level's blocks, mass-weighted, relative to the ground
+//            and to the first output time; blocks that are lost no longer count
 //   theta_i  interstorey drift ratio = (u_i - u_(i-1)) / h_i, h_i the original storey height
 //   floor acceleration is absolute; base shear V is the horizontal force of the ground on the building
 //
 // A storey is lost when its level has lost its support or too much of its mass (LossCriteria). Its
 // drift is frozen from then on (the value at the loss is kept) and its peak is taken before the loss.
+// There is no floor acceleration after the loss: it reads 0. The reasons for the defaults are in
+// docs/theory/response.md.
 #pragma once
 
 #include <optional>
@@ -17,6 +20,29 @@
 #include "structures/building.h"
 
 namespace dougong::structures {
+
+/// When a block counts as lost, and with it its storey. A block is lost for good as soon as it has
+///   fallen: gone down relative to the ground by more than drop_of_width of its least width, but never
+///     by less than least_drop_of_storey nor needing more than most_drop_of_storey of its storey height;
+///   turned: by more than turn since the start (circles may roll); or
+///   left its place: moved past its storey's blocks (their median) by more than slide_of_length of its
+///     own greatest extent.
+/// A level is lost when more than level_mass of its mass is lost, when everything that carries it in
+/// its storey is lost, or when the level below is lost.
+struct LossCriteria {
+  double drop_of_width = 0.5;          // -, a brick that drops one course has gone twice as far
+  double least_drop_of_storey = 0.02;  // -, settling and rocking of thin plates is no fall
+  double most_drop_of_storey = 0.5;    // -, half a storey down is a fall for any block
+  double turn = 0.7853981633974483;    // rad, 45 deg: half-way to lying on its side
+  double slide_of_length = 1.0;        // -, no part of it is where it was among its neighbours
+  double level_mass = 0.5;             // -
+};
+
+/// Residual drift is the mean over this time at the end of the run (s).
+inline constexpr double residual_window = 1.0;
+/// A falling block has lost its support since it last stood higher than this part of the drop at
+/// which it counts as fallen.
+inline constexpr double onset_of_fall = 0.1;
 
 /// Poses of every block at the output times, and what the ground did and bore.
 struct Trajectory {
@@ -32,7 +58,9 @@ struct Trajectory {
     return {p[0], p[1]};
   }
   double angle(std::size_t step, std::size_t block) const { return poses[3 * (step * blocks + block) + 2]; }
-  double acceleration(std::size_t step, std::size_t block) const { return accelerations[step * blocks + block]; }
+  double acceleration(std::size_t step, std::size_t block) const {
+    return accelerations[step * blocks + block];
+  }
 };
 
 struct Peak {
@@ -49,22 +77,32 @@ struct Envelope {
 
 struct StoreyResponse {
   std::string name;
-  double height = 0.0;                    // m
-  std::vector<double> drift;              // nt, -, frozen once lost
-  std::vector<double> floor_displacement; // nt, m, relative to the ground
-  std::vector<double> floor_acceleration; // nt, m/s2, absolute
-  Envelope peak_drift;                    // before any loss
-  Envelope peak_acceleration;             // m/s2, before any loss
-  double residual_drift = 0.0;            // -, mean of the last second, or at the loss
-  double original_mass = 0.0;             // kg
-  std::vector<double> mass_lost;          // nt, fraction of the storey's original mass
-  std::optional<double> lost_at;          // s
+  double height = 0.0;                     // m
+  std::vector<double> drift;               // nt, -, frozen once lost
+  std::vector<double> floor_displacement;  // nt, m, relative to the ground
+  std::vector<double> floor_acceleration;  // nt, m/s2, absolute
+  Envelope peak_drift;                     // before any loss
+  Envelope peak_acceleration;              // m/s2, before any loss
+  double residual_drift = 0.0;             // -, mean of the last second, or at the loss
+  double original_mass = 0.0;              // kg
+  std::vector<double> mass_lost;           // nt, fraction of the storey's original mass
+  std::optional<double> lost_at;           // s
+  std::string lost_because;                // "100 % of its level's mass was lost"; empty while it stands
 };
 
 struct BlockLoss {
   std::size_t block = 0;
-  double time = 0.0;       // s
-  std::string reason;      // "fell 1.30 m", "turned 41 deg", ...
+  double time = 0.0;   // s
+  std::string reason;  // "fell 1.30 m", "turned 41 deg", ...
+};
+
+/// How far a standing block leans at the end, against the lean at which it would topple if it stood
+/// alone: limit = atan(width / height).
+struct Lean {
+  std::string block;   // name; empty when no block stands
+  double angle = 0.0;  // rad, since the start, signed
+  double limit = 0.0;  // rad
+  double ratio() const { return limit > 0.0 ? (angle < 0.0 ? -angle : angle) / limit : 0.0; }
 };
 
 struct Response {
@@ -72,12 +110,20 @@ struct Response {
   std::vector<StoreyResponse> storeys;
   std::vector<double> roof_displacement;  // nt, m, relative to the ground
   Envelope peak_roof_displacement;
-  std::vector<double> base_shear;         // nt, N, positive when the ground pushes the building to +x
-  Envelope peak_base_shear;               // N
-  double weight = 0.0;                    // N
-  std::vector<BlockLoss> losses;          // in order of time
+  std::vector<double> base_shear;               // nt, N, positive when the ground pushes the building to +x
+  Envelope peak_base_shear;                     // N
+  double weight = 0.0;                          // N
+  std::vector<BlockLoss> losses;                // in order of time
   std::optional<double> first_loss_of_support;  // s
-  double fallen_mass_fraction = 0.0;      // of the whole building, at the end
+  double fallen_mass_fraction = 0.0;            // of the whole building, at the end
+  Envelope peak_base_shear_ratio;               // -, V/W
+  std::size_t blocks = 0;                       // of the building
+  Lean greatest_lean;                           // at the end, the one nearest to its limit
 };
+
+/// Throws std::invalid_argument when the trajectory does not belong to the building. A trajectory
+/// without any output time gives a response without histories.
+Response compute_response(const Building& building, const Trajectory& trajectory,
+                          const LossCriteria& criteria = {});
 
 }  // namespace dougong::structures

@@ -1,0 +1,56 @@
+// The commands of the program, each from its options to an exit code. Errors are thrown: main() prints
+// them and exits with 2.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dougong::app {
+
+enum ExitCode : int {
+  exit_survived = 0,
+  exit_bad_input = 2,
+  exit_collapsed = 10,
+  exit_numerically_invalid = 20,
+  exit_undecided = 30,
+};
+
+struct RunOptions {
+  std::string scenario;  // path; empty: defaults and flags
+  std::string layout, record, component, pga, out;
+  std::vector<std::string> set;  // key=value
+  bool force = false;
+  bool json = false;
+  std::string command;  // as typed
+};
+int run_command(const RunOptions& options);
+
+int layouts_command();
+
+struct LayoutShowOptions {
+  std::string name;
+  std::vector<std::string> set;
+  std::string picture;  // PNG or SVG; empty: NAME.png in the current folder
+  bool force = false;
+};
+int layout_show_command(const LayoutShowOptions& options);
+
+int records_command();
+
+struct RecordInfoOptions {
+  std::string record, component, units, interval, count_scale;
+  bool json = false;
+};
+int record_info_command(const RecordInfoOptions& options);
+
+struct ReportOptions {
+  std::string directory;
+};
+int report_command(const ReportOptions& options);
+
+/// Folder of the shipped records: $DOUGONG_RECORDS, or where the program was built from.
+std::filesystem::path records_directory();
+
+}  // namespace dougong::app

@@ -1,0 +1,138 @@
+#include "app/cli/run_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/report/text.h"
+
+namespace dougong::app {
+namespace {
+
+std::string row(const std::string& name, const std::string& value) { return fmt::format("  {:<13}{}", name, value); }
+
+std::string time_text(double value) {
+  if (value < 1e-3) return fmt::format("{:.3g} us", 1e6 * value);
+  if (value < 1.0) return fmt::format("{:.3g} ms", 1e3 * value);
+  return fmt::format("{:.3g} s", value);
+}
+
+std::string period_text(const Preparation& p) {
+  if (p.period == 0.0) return "none found (no stable horizontal mode)";
+  return fmt::format("{:.3f} s for small amplitudes, carrying {:.0f} % of the mass", p.period, 100.0 * p.participation);
+}
+
+std::string settle_text(const Preparation& p) {
+  if (!p.scenario.solve.settle) return "left out (solve.settle = false)";
+  if (p.settle.outcome == engine::Outcome::diverged) return "failed: " + p.settle.detail;
+  if (!p.settle.settled) return fmt::format("did not come to rest in {:.1f} s", p.settle.duration);
+  return fmt::format("at rest after {:.2f} s, {} moved most: {}", p.settle.duration, p.settle.moved_most,
+                     length(p.settle.greatest_movement));
+}
+
+std::string motion_text(const Preparation& p) {
+  double pga = 0.0;
+  for (const double a : p.motion.ground->horizontal().acceleration) pga = std::max(pga, std::abs(a));
+  return fmt::format("{}, {} applied, {:.4g} s every {:.4g} s{}", p.motion.conditioned.title,
+                     acceleration_g(pga).substr(pga > 0.0 ? 1 : 0), p.motion.ground->duration(),
+                     p.motion.ground->knot_interval(), p.motion.ground->vertical() ? ", with its vertical component" : "");
+}
+
+std::string step_text(const Preparation& p) {
+  if (!std::isfinite(p.plan.bound))
+    return fmt::format("{}, step {} (nothing touches: no stability bound)", p.drive.integrator, time_text(p.plan.step));
+  return fmt::format("{}, step {}, {:.0f} % of the stability bound of {}", p.drive.integrator, time_text(p.plan.step),
+                     100.0 * p.plan.step / p.plan.bound, time_text(p.plan.bound));
+}
+
+Tone tone_of(structures::VerdictKind kind) {
+  switch (kind) {
+    case structures::VerdictKind::survived: return Tone::good;
+    case structures::VerdictKind::undecided: return Tone::doubtful;
+    default: return Tone::bad;
+  }
+}
+
+const structures::StoreyResponse* worst_storey(const structures::Response& response) {
+  const structures::StoreyResponse* worst = nullptr;
+  for (const auto& storey : response.storeys)
+    if (!worst || std::abs(storey.peak_drift.largest().value) > std::abs(worst->peak_drift.largest().value))
+      worst = &storey;
+  return worst;
+}
+
+std::string drift_text(const structures::Response& response) {
+  const structures::StoreyResponse* worst = worst_storey(response);
+  if (!worst) return "no storeys";
+  const structures::Peak peak = worst->peak_drift.largest();
+  return fmt::format("{} ({}) in {} at {:.2f} s{}", drift_percent(peak.value), drift_fraction(peak.value), worst->name,
+                     peak.time, worst->lost_at ? ", before the storey was lost" : "");
+}
+
+std::string residual_text(const structures::Response& response) {
+  const structures::StoreyResponse* worst = nullptr;
+  for (const auto& storey : response.storeys)
+    if (!worst || std::abs(storey.residual_drift) > std::abs(worst->residual_drift)) worst = &storey;
+  if (!worst) return "no storeys";
+  return fmt::format("{} in {}", drift_percent(worst->residual_drift), worst->name);
+}
+
+std::string shear_text(const structures::Response& response) {
+  const structures::Peak roof = response.peak_roof_displacement.largest();
+  const structures::Peak shear = response.peak_base_shear.largest();
+  return fmt::format("roof {} at {:.2f} s, base shear {} kN (V/W {}) at {:.2f} s", displacement(roof.value), roof.time,
+                     signed_fixed(shear.value / 1000.0, 1),
+                     signed_fixed(response.weight > 0.0 ? shear.value / response.weight : 0.0, 3), shear.time);
+}
+
+std::string losses_text(const structures::Response& response) {
+  std::string lost;
+  for (const auto& storey : response.storeys)
+    if (storey.lost_at) lost += fmt::format("{}{} at {:.2f} s", lost.empty() ? "" : ", ", storey.name, *storey.lost_at);
+  return fmt::format("{} of {} blocks fell ({:.0f} % of the mass); storeys lost: {}", response.losses.size(),
+                     response.blocks, 100.0 * response.fallen_mass_fraction, lost.empty() ? "none" : lost);
+}
+
+std::string numbers_text(const RunResult& r) {
+  return fmt::format("energy error {} % of the input, deepest overlap {} % of a block, {} steps in {:.1f} s",
+                     significant(100.0 * r.energy.relative_error, 2),
+                     significant(100.0 * r.numerics.deepest_overlap_ratio, 2), r.numerics.steps,
+                     r.reproducibility.wall_seconds);
+}
+
+}  // namespace
+
+std::vector<std::string> preparation_text(const Preparation& p) {
+  std::vector<std::string> lines{
+      row("building", fmt::format("{}: {}", p.building.layout, structures::find_layout(p.building.layout).summary)),
+      row("model", fmt::format("{} rigid blocks, 0 bonds, {} touching contact points, {}, {} storeys",
+                               p.model.body_count, p.contact_points, mass_text(p.model.total_mass()),
+                               p.building.storeys.size())),
+      row("settle", settle_text(p)),
+      row("period", period_text(p)),
+      row("motion", motion_text(p)),
+      row("numerics", step_text(p)),
+      row("cost", fmt::format("about {} for {:.1f} s simulated ({:.0f} steps), measured on a short trial",
+                              time_text(p.estimated_seconds), p.duration, p.duration / p.plan.step))};
+  for (const structures::Finding& finding : p.findings)
+    lines.push_back(row(to_string(finding.severity), finding.message));
+  for (const std::string& warning : p.motion.conditioned.warnings) lines.push_back(row("warning", warning));
+  return lines;
+}
+
+std::vector<ToneLine> verdict_text(const RunResult& r, const std::filesystem::path& directory, std::size_t files) {
+  std::vector<ToneLine> lines{{"", Tone::plain}, {r.verdict.headline, tone_of(r.verdict.kind)}};
+  if (r.partial) lines.push_back({"  INTERRUPTED: the results end where the run was stopped", Tone::doubtful});
+  lines.push_back({row("peak drift", drift_text(r.response))});
+  lines.push_back({row("residual", residual_text(r.response))});
+  lines.push_back({row("response", shear_text(r.response))});
+  lines.push_back({row("losses", losses_text(r.response))});
+  lines.push_back({row("numbers", numbers_text(r))});
+  for (const std::string& warning : r.numerics.warnings) lines.push_back({row("warning", warning), Tone::doubtful});
+  lines.push_back({row("report", (directory / "report.html").string())});
+  lines.push_back({row("files", fmt::format("{} in {}", files, directory.string()))});
+  return lines;
+}
+
+}  // namespace dougong::app

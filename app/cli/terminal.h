@@ -1,0 +1,33 @@
+// The terminal: calm text, colour only where a person looks on, one progress line that updates.
+#pragma once
+
+#include <cstdio>
+#include <string>
+
+#include "app/study/execute.h"
+
+namespace dougong::app {
+
+enum class Tone { plain, good, bad, doubtful, faint };
+
+/// Where messages go: standard output, or standard error when standard output is for a program.
+class Terminal {
+ public:
+  explicit Terminal(std::FILE* stream);
+
+  void line(const std::string& text = {}, Tone tone = Tone::plain) const;
+  /// One line that replaces the last; only on a terminal, else one line every tenth of the run.
+  void progress(const Progress& progress);
+  void end_progress();
+
+ private:
+  std::string painted(const std::string& text, Tone tone) const;
+
+  std::FILE* stream_;
+  bool interactive_;
+  bool colour_;
+  int last_tenth_ = -1;
+  bool open_line_ = false;
+};
+
+}  // namespace dougong::app

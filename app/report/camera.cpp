@@ -1,0 +1,91 @@
+#include "app/report/camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace dougong::app {
+namespace {
+
+using engine::Vec2;
+using structures::Trajectory;
+
+constexpr int circle_corners = 48;
+constexpr double debris_reach = 1.5;   // building sizes beyond which debris is left out of the picture
+constexpr double margin = 0.07;        // of the larger side
+constexpr double least_ground = 0.05;  // of the height, shown below the lowest block
+
+constexpr Box nothing{{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()},
+                      {-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()}};
+
+void include(Box& box, const std::vector<Vec2>& points) {
+  for (const Vec2 p : points) {
+    if (!std::isfinite(p.x) || !std::isfinite(p.y)) continue;
+    box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
+    box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
+  }
+}
+
+Box clipped(Box box, Box limits) {
+  return {{std::max(box.low.x, limits.low.x), std::max(box.low.y, limits.low.y)},
+          {std::min(box.high.x, limits.high.x), std::min(box.high.y, limits.high.y)}};
+}
+
+Vec2 relative_position(const Trajectory& t, std::size_t step, std::size_t block) {
+  const Vec2 ground = step < t.ground_displacement.size() ? t.ground_displacement[step] : Vec2{};
+  return t.position(step, block) - ground;
+}
+
+}  // namespace
+
+std::vector<Vec2> corners(const DrawnShape& shape, const Pose& pose) {
+  std::vector<Vec2> out;
+  for (const Vec2 p : shape.outline) out.push_back(pose.position + engine::rotated(p, pose.angle));
+  if (!out.empty() || shape.radius <= 0.0) return out;
+  for (int i = 0; i < circle_corners; ++i) {
+    const double around = 2.0 * std::numbers::pi * i / circle_corners + pose.angle;
+    out.push_back(pose.position + shape.radius * Vec2{std::cos(around), std::sin(around)});
+  }
+  return out;
+}
+
+Pose described_pose(const DrawnShape& shape) {
+  return {shape.position, shape.angle};
+}
+
+Pose pose_at(const Trajectory& t, std::size_t step, std::size_t block, double magnification) {
+  const Vec2 now = relative_position(t, step, block), start = relative_position(t, 0, block);
+  const double turn = t.angle(step, block) - t.angle(0, block);
+  return {start + magnification * (now - start), t.angle(0, block) + magnification * turn};
+}
+
+double moved(const Trajectory& t, std::size_t step, std::size_t block) {
+  return engine::norm(relative_position(t, step, block) - relative_position(t, 0, block));
+}
+
+Box model_bounds(const ModelSheet& model) {
+  Box box = nothing;
+  for (const DrawnShape& block : model.blocks) include(box, corners(block, described_pose(block)));
+  return box.low.x < box.high.x ? box : Box{{-1.0, 0.0}, {1.0, 1.0}};
+}
+
+Box run_bounds(const RunResult& run, const std::vector<std::size_t>& steps, double magnification) {
+  const Box model = model_bounds(run.model);
+  Box box = model;
+  for (const std::size_t step : steps) {
+    for (std::size_t i = 0; i < std::min(run.trajectory.blocks, run.model.blocks.size()); ++i) {
+      include(box, corners(run.model.blocks[i], pose_at(run.trajectory, step, i, magnification)));
+    }
+  }
+  return clipped(box, model.grown(debris_reach * std::max(model.width(), model.height())));
+}
+
+Box framed(Box bounds) {
+  const double room = margin * std::max(bounds.width(), bounds.height());
+  Box box = bounds.grown(room);
+  box.low.y = bounds.low.y - std::max(room, least_ground * bounds.height());
+  return box;
+}
+
+}  // namespace dougong::app

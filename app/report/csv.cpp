@@ -1,0 +1,105 @@
+#include "app/report/csv.h"
+
+#include <functional>
+
+#include "app/report/text.h"
+
+namespace dougong::app {
+namespace {
+
+using structures::StoreyResponse;
+
+/// A column: its header and the text of its cell in a row.
+struct Column {
+  std::string header;
+  std::function<std::string(std::size_t)> cell;
+};
+
+/// RFC 4180: quoted only when needed.
+std::string quoted(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string out = "\"";
+  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return out + "\"";
+}
+
+std::string cell_at(const std::vector<double>& values, std::size_t row) {
+  return row < values.size() ? exact(values[row]) : "";
+}
+
+Column numbers(const std::string& header, const std::vector<double>& values) {
+  return {header, [&values](std::size_t row) { return cell_at(values, row); }};
+}
+
+std::string table(const std::vector<Column>& columns, std::size_t rows) {
+  std::string out;
+  for (std::size_t i = 0; i < columns.size(); ++i) out += (i == 0 ? "" : ",") + quoted(columns[i].header);
+  out += "\n";
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (std::size_t i = 0; i < columns.size(); ++i) out += (i == 0 ? "" : ",") + columns[i].cell(row);
+    out += "\n";
+  }
+  return out;
+}
+
+using History = std::vector<double> StoreyResponse::*;
+
+/// For every storey its history, empty once lost, and the flag.
+std::string storeys_csv(const RunResult& run, const std::string& quantity, History history) {
+  const auto& times = run.response.times;
+  std::vector<Column> columns{numbers("time (s)", times)};
+  for (const StoreyResponse& storey : run.response.storeys) {
+    const auto lost = [&](std::size_t row) { return storey.lost_at && times[row] >= *storey.lost_at; };
+    columns.push_back({storey.name + " " + quantity, [&storey, lost, history](std::size_t row) {
+                         return lost(row) ? "" : cell_at(storey.*history, row);
+                       }});
+    columns.push_back({storey.name + " lost", [lost](std::size_t row) { return lost(row) ? "1" : "0"; }});
+  }
+  return table(columns, times.size());
+}
+
+}  // namespace
+
+std::string drift_csv(const RunResult& run) {
+  return storeys_csv(run, "interstorey drift ratio (1)", &StoreyResponse::drift);
+}
+
+std::string acceleration_csv(const RunResult& run) {
+  return storeys_csv(run, "floor acceleration absolute (m/s2)", &StoreyResponse::floor_acceleration);
+}
+
+std::string roof_and_base_shear_csv(const RunResult& run) {
+  const auto& r = run.response;
+  const Column ratio{"base shear over weight (1)", [&r](std::size_t row) {
+                       return row < r.base_shear.size() && r.weight > 0 ? exact(r.base_shear[row] / r.weight)
+                                                                        : "";
+                     }};
+  return table(
+      {numbers("time (s)", r.times), numbers("roof displacement relative to ground (m)", r.roof_displacement),
+       numbers("base shear (N)", r.base_shear), ratio},
+      r.times.size());
+}
+
+std::string energy_csv(const RunResult& run) {
+  const EnergyHistory& e = run.energy;
+  return table({numbers("time (s)", run.trajectory.times), numbers("input (J)", e.input),
+                numbers("kinetic (J)", e.kinetic), numbers("gravity (J)", e.gravity),
+                numbers("elastic (J)", e.elastic), numbers("friction (J)", e.friction),
+                numbers("damping (J)", e.damping), numbers("error (J)", e.error)},
+               run.trajectory.times.size());
+}
+
+std::string motion_csv(const RunResult& run) {
+  const MotionSheet& m = run.motion;
+  std::vector<Column> columns{
+      numbers("time (s)", m.times), numbers("acceleration x (m/s2)", m.acceleration_x),
+      numbers("velocity x (m/s)", m.velocity_x), numbers("displacement x (m)", m.displacement_x)};
+  if (!m.acceleration_y.empty()) {
+    columns.push_back(numbers("acceleration y (m/s2)", m.acceleration_y));
+    columns.push_back(numbers("velocity y (m/s)", m.velocity_y));
+    columns.push_back(numbers("displacement y (m)", m.displacement_y));
+  }
+  return table(columns, m.times.size());
+}
+
+}  // namespace dougong::app

@@ -1,0 +1,87 @@
+#include "app/report/figures.h"
+
+#include <cmath>
+
+#include "app/report/text.h"
+
+namespace dougong::app {
+namespace {
+
+bool anything_positive(const std::vector<double>& values) {
+  for (const double v : values) {
+    if (v > 0) return true;
+  }
+  return false;
+}
+
+std::string both(const structures::Envelope& e, std::string (*print)(double)) {
+  return print(e.positive.value) + " at " + seconds(e.positive.time) + " and " + print(e.negative.value) +
+         " at " + seconds(e.negative.time);
+}
+
+std::string drift_words(const RunResult& run) {
+  std::string out;
+  for (const auto& storey : run.response.storeys) {
+    out += (out.empty() ? "" : "; ") + storey.name + ": " + both(storey.peak_drift, drift_percent);
+    if (storey.lost_at) out += ", lost at " + seconds(*storey.lost_at);
+  }
+  return out;
+}
+
+std::string shear_words(const RunResult& run) {
+  const auto& r = run.response;
+  return "Roof displacement relative to the ground peaks at " + both(r.peak_roof_displacement, displacement) +
+         "; base shear over weight below it on the same time axis.";
+}
+
+void add_motion(const RunResult& run, std::vector<NamedFigure>& out) {
+  out.push_back(
+      {"motion", "Ground acceleration, velocity and displacement against time.", motion_figure(run)});
+  if (!anything_positive(run.motion.spectrum_psa)) return;
+  out.push_back({"spectrum",
+                 "Pseudo-acceleration against period, log-log, with the period of the building marked.",
+                 spectrum_figure(run)});
+}
+
+void add_response(const RunResult& run, std::vector<NamedFigure>& out) {
+  if (run.response.storeys.empty()) return;
+  out.push_back(
+      {"drift_profile", "Peak drift of each storey. " + drift_words(run), drift_profile_figure(run)});
+  if (run.response.times.empty()) return;
+  out.push_back({"drift_histories", "Interstorey drift against time, one panel a storey. " + drift_words(run),
+                 drift_histories_figure(run)});
+}
+
+void add_balance(const RunResult& run, std::vector<NamedFigure>& out) {
+  if (!run.energy.input.empty()) {
+    out.push_back(
+        {"energy",
+         "Input, kinetic, gravity, elastic, friction and damping energy against time, and the error "
+         "of their balance below.",
+         energy_figure(run)});
+  }
+  if (!run.numerics.overlap_ratio.empty()) {
+    out.push_back({"overlap",
+                   "Deepest overlap between blocks against time, in percent of the smaller block's width.",
+                   overlap_figure(run)});
+  }
+}
+
+}  // namespace
+
+std::string run_line(const RunResult& run) {
+  return run.model.layout + " on " + run.motion.title + (run.partial ? " (partial run)" : "");
+}
+
+std::vector<NamedFigure> all_figures(const RunResult& run) {
+  std::vector<NamedFigure> out;
+  add_motion(run, out);
+  add_response(run, out);
+  if (!run.response.roof_displacement.empty()) {
+    out.push_back({"roof_and_base_shear", shear_words(run), roof_and_base_shear_figure(run)});
+  }
+  add_balance(run, out);
+  return out;
+}
+
+}  // namespace dougong::app

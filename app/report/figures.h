@@ -1,0 +1,35 @@
+// The plots of a report, each from a run and nothing else. One message a plot; the title says what is
+// shown, the line under it for which run.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/report/gnuplot.h"
+#include "app/study/run_result.h"
+
+namespace dougong::app {
+
+Figure motion_figure(const RunResult& run);
+/// 5 % damped PSa, log-log, with the building's period. Needs a spectrum.
+Figure spectrum_figure(const RunResult& run);
+/// Height up, drift across, both signs, true storey heights, lost storeys marked.
+Figure drift_profile_figure(const RunResult& run);
+Figure drift_histories_figure(const RunResult& run);
+Figure roof_and_base_shear_figure(const RunResult& run);
+Figure energy_figure(const RunResult& run);
+Figure overlap_figure(const RunResult& run);
+
+/// "two-storey slabs on SYN1 / EW": the line under every title.
+std::string run_line(const RunResult& run);
+
+struct NamedFigure {
+  std::string name;  // of the files
+  std::string alt;   // what it shows, in words
+  Figure figure;
+};
+
+/// Every plot this run has data for, in the order of the report.
+std::vector<NamedFigure> all_figures(const RunResult& run);
+
+}  // namespace dougong::app

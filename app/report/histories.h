@@ -1,0 +1,56 @@
+// Histories stacked over one time axis, so that a vertical line through all of them is one moment.
+//
+// Panels share the left and right edge. Peaks carry a dot with value and time, curves a label at their
+// right end instead of a legend, and labels that would meet are pushed apart.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/report/axis.h"
+#include "app/report/colour.h"
+#include "app/report/gnuplot.h"
+
+namespace dougong::app {
+
+struct Curve {
+  std::vector<double> x, y;
+  Colour colour;
+  double width = 1.0;
+  bool dashed = false;
+  std::string end_label;  // at the right edge; empty for none
+};
+
+struct Mark {
+  double x = 0.0, y = 0.0;
+  std::string label;
+  Colour colour;
+  bool cross = false;  // a loss; a dot otherwise
+};
+
+struct Panel {
+  std::string label;  // quantity, symbol and unit
+  std::vector<Curve> curves;
+  std::vector<Mark> marks;
+  std::string note;  // in the upper left corner
+  Colour note_colour = ink::quiet;
+  double height = 120;  // px
+  double flat = 1.2;    // half range when nothing moves
+};
+
+struct Stack {
+  std::string title, subtitle;
+  std::string x_label = "Time, t (s)";
+  Range x;
+  std::vector<Panel> panels;
+  int right_margin = 30;  // px; room for labels at the ends
+};
+
+Figure stacked(const Stack& stack);
+
+/// "set grid, no box, ..." common to all figures.
+std::string plain_style();
+/// Title and subtitle at the upper left.
+std::string heading(const std::string& title, const std::string& subtitle, int width, int height);
+
+}  // namespace dougong::app

@@ -1,0 +1,114 @@
+#include "app/report/report.h"
+
+#include <fmt/format.h>
+
+#include "app/report/csv.h"
+#include "app/report/figures.h"
+#include "app/report/model_svg.h"
+#include "app/report/page.h"
+#include "app/report/safe_file.h"
+#include "app/report/scene.h"
+#include "app/report/summary.h"
+#include "app/report/text.h"
+
+namespace dougong::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* svg_type = "image/svg+xml";
+constexpr const char* png_type = "image/png";
+constexpr double first_screen_width = 330;  // px at 1x, beside the drift profile
+
+/// Writes files and remembers them.
+class Output {
+ public:
+  explicit Output(fs::path folder) : folder_(std::move(folder)) {}
+  void write(const std::string& name, std::string_view bytes) {
+    write_file(folder_ / name, bytes);
+    names_.push_back(name);
+  }
+  const std::vector<std::string>& names() const { return names_; }
+  std::vector<fs::path> paths() const {
+    std::vector<fs::path> out;
+    for (const std::string& name : names_) out.push_back(folder_ / name);
+    return out;
+  }
+
+ private:
+  fs::path folder_;
+  std::vector<std::string> names_;
+};
+
+void write_tables(const RunResult& run, Output& output) {
+  output.write("drift.csv", drift_csv(run));
+  output.write("acceleration.csv", acceleration_csv(run));
+  output.write("roof_and_base_shear.csv", roof_and_base_shear_csv(run));
+  output.write("energy.csv", energy_csv(run));
+  output.write("motion.csv", motion_csv(run));
+}
+
+void write_plots(const RunResult& run, Output& output, std::vector<Picture>& pictures) {
+  for (const NamedFigure& named : all_figures(run)) {
+    const DrawnFigure drawn = draw(named.figure);
+    const std::string name = "figures/" + named.name;
+    output.write(name + ".svg", drawn.svg);
+    output.write(name + ".png", drawn.png);
+    pictures.push_back({name + ".svg", svg_type, drawn.svg, named.alt, named.figure.width});
+  }
+}
+
+void add_png(const std::string& name, const Image& image, const std::string& alt, Output& output,
+             std::vector<Picture>& pictures) {
+  const std::string bytes = png_of(image);
+  output.write(name, bytes);
+  pictures.push_back({name, png_type, bytes, alt, static_cast<int>(image.width / SceneView{}.scale)});
+}
+
+void write_model(const RunResult& run, Output& output, std::vector<Picture>& pictures) {
+  const std::string svg = model_svg(run.model), name = "figures/model.svg";
+  output.write(name, svg);
+  output.write("figures/model.png", png_of(draw_model(run.model)));
+  pictures.push_back({name, svg_type, svg, "Elevation of " + run.model.layout + ": " + run.model.title, 0});
+}
+
+std::string strip_words(const std::vector<Frame>& frames) {
+  std::string words = "The building at";
+  for (const Frame& frame : frames) words += " " + seconds(frame.time) + " (" + frame.caption + ");";
+  return words;
+}
+
+void write_scenes(const RunResult& run, Output& output, std::vector<Picture>& pictures) {
+  const std::vector<Frame> frames = frames_of(run);
+  if (frames.empty()) return;
+  const SceneView view = view_of(run, frames);
+  const Frame& telling = telling_frame(run, frames);
+  SceneView beside = view;
+  beside.width = first_screen_width;
+  add_png("figures/scene.png", draw_scene(run, telling, beside),
+          "The building at " + seconds(telling.time) + ", " + telling.caption + ".", output, pictures);
+  add_png("figures/film_strip.png", draw_film_strip(run, frames, view), strip_words(frames), output,
+          pictures);
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    output.write(fmt::format("figures/frame_{}.png", i + 1), png_of(draw_scene(run, frames[i], view)));
+  }
+}
+
+}  // namespace
+
+std::vector<fs::path> write_report(const RunResult& run, const fs::path& folder) {
+  make_directory(folder / "figures");
+  Output output(folder);
+  std::vector<Picture> pictures;
+  write_tables(run, output);
+  write_plots(run, output, pictures);
+  write_model(run, output, pictures);
+  write_scenes(run, output, pictures);
+  output.write("report.html", report_page(run, pictures));
+  std::vector<std::string> files = output.names();
+  files.push_back("summary.json");
+  output.write("summary.json", summary_json(run, files));
+  return output.paths();
+}
+
+}  // namespace dougong::app

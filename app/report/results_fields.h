@@ -1,0 +1,208 @@
+// The one list of what a results file holds: group, name and unit of every field of a RunResult. The
+// writer and the reader both walk it, so they cannot disagree.
+//
+// An Archive has group(name, inner), field(name, unit, value), matrix(name, unit, values, shape),
+// rows(name, list, inner) for numbered groups and column(name, unit, list, member) for tables.
+#pragma once
+
+#include "app/study/run_result.h"
+
+namespace dougong::app {
+
+template <class A, class V>
+void walk_named_values(A& a, const char* name, V& values) {
+  a.table(name, values, [&] {
+    a.column("name", "", values, &NamedValue::name);
+    a.column("value", "", values, &NamedValue::value);
+    a.column("meaning", "", values, &NamedValue::meaning);
+  });
+}
+
+template <class A, class V>
+void walk_shapes(A& a, const char* name, V& shapes) {
+  a.table(name, shapes, [&] {
+    a.column("name", "", shapes, &DrawnShape::name);
+    a.column("outline", "m", shapes, &DrawnShape::outline);
+    a.column("radius", "m", shapes, &DrawnShape::radius);
+    a.column("position", "m", shapes, &DrawnShape::position);
+    a.column("angle", "rad", shapes, &DrawnShape::angle);
+    a.column("mass", "kg", shapes, &DrawnShape::mass);
+    a.column("storey", "", shapes, &DrawnShape::storey);
+    a.column("material", "", shapes, &DrawnShape::material);
+  });
+}
+
+template <class A, class R>
+void walk_model(A& a, R& model) {
+  a.field("layout", "", model.layout);
+  a.field("title", "", model.title);
+  walk_named_values(a, "parameters", model.parameters);
+  walk_named_values(a, "materials", model.materials);
+  walk_shapes(a, "blocks", model.blocks);
+  walk_shapes(a, "terrains", model.terrains);
+  a.table("storeys", model.storeys, [&] {
+    a.column("name", "", model.storeys, &StoreySheet::name);
+    a.column("base", "m", model.storeys, &StoreySheet::base);
+    a.column("height", "m", model.storeys, &StoreySheet::height);
+    a.column("mass", "kg", model.storeys, &StoreySheet::mass);
+    a.column("blocks", "", model.storeys, &StoreySheet::blocks);
+  });
+  a.field("mass", "kg", model.mass);
+  a.field("bonds", "", model.bonds);
+  a.field("contact_points", "", model.contact_points);
+  a.field("period", "s", model.period);
+  a.field("period_participation", "1", model.period_participation);
+  a.field("modelled", "", model.modelled);
+  a.field("not_modelled", "", model.not_modelled);
+  a.field("findings", "", model.findings);
+}
+
+template <class A, class R>
+void walk_motion(A& a, R& motion) {
+  a.field("title", "", motion.title);
+  walk_named_values(a, "provenance", motion.provenance);
+  a.field("processing", "", motion.processing);
+  walk_named_values(a, "measures", motion.measures);
+  a.field("interval", "s", motion.interval);
+  a.field("times", "s", motion.times);
+  a.field("acceleration_x", "m/s2", motion.acceleration_x);
+  a.field("velocity_x", "m/s", motion.velocity_x);
+  a.field("displacement_x", "m", motion.displacement_x);
+  a.field("acceleration_y", "m/s2", motion.acceleration_y);
+  a.field("velocity_y", "m/s", motion.velocity_y);
+  a.field("displacement_y", "m", motion.displacement_y);
+  a.field("spectrum_periods", "s", motion.spectrum_periods);
+  a.field("spectrum_psa", "m/s2", motion.spectrum_psa);
+  a.field("spectrum_at_period", "m/s2", motion.spectrum_at_period);
+}
+
+template <class A, class R>
+void walk_trajectory(A& a, R& trajectory) {
+  a.field("times", "s", trajectory.times);
+  a.field("blocks", "", trajectory.blocks);
+  const std::size_t steps = trajectory.times.size(), blocks = trajectory.blocks;
+  a.matrix("poses", "m, m, rad", trajectory.poses, {steps, blocks, 3});
+  a.field("ground_displacement", "m", trajectory.ground_displacement);
+  a.field("ground_reaction", "N", trajectory.ground_reaction);
+  a.matrix("accelerations", "m/s2", trajectory.accelerations, {steps, blocks});
+}
+
+template <class A, class E>
+void walk_envelope(A& a, const char* name, const char* unit, E& envelope) {
+  a.group(name, [&] {
+    a.field("positive", unit, envelope.positive.value);
+    a.field("positive_time", "s", envelope.positive.time);
+    a.field("negative", unit, envelope.negative.value);
+    a.field("negative_time", "s", envelope.negative.time);
+  });
+}
+
+template <class A, class S>
+void walk_storey(A& a, S& storey) {
+  a.field("name", "", storey.name);
+  a.field("height", "m", storey.height);
+  a.field("drift", "1", storey.drift);
+  a.field("floor_displacement", "m", storey.floor_displacement);
+  a.field("floor_acceleration", "m/s2", storey.floor_acceleration);
+  walk_envelope(a, "peak_drift", "1", storey.peak_drift);
+  walk_envelope(a, "peak_acceleration", "m/s2", storey.peak_acceleration);
+  a.field("residual_drift", "1", storey.residual_drift);
+  a.field("original_mass", "kg", storey.original_mass);
+  a.field("mass_lost", "1", storey.mass_lost);
+  a.field("lost_at", "s", storey.lost_at);
+}
+
+template <class A, class R>
+void walk_response(A& a, R& response) {
+  using structures::BlockLoss;
+  a.field("times", "s", response.times);
+  a.rows("storeys", response.storeys, [&](auto& storey) { walk_storey(a, storey); });
+  a.field("roof_displacement", "m", response.roof_displacement);
+  walk_envelope(a, "peak_roof_displacement", "m", response.peak_roof_displacement);
+  a.field("base_shear", "N", response.base_shear);
+  walk_envelope(a, "peak_base_shear", "N", response.peak_base_shear);
+  a.field("weight", "N", response.weight);
+  a.table("losses", response.losses, [&] {
+    a.column("block", "", response.losses, &BlockLoss::block);
+    a.column("time", "s", response.losses, &BlockLoss::time);
+    a.column("reason", "", response.losses, &BlockLoss::reason);
+  });
+  a.field("first_loss_of_support", "s", response.first_loss_of_support);
+  a.field("fallen_mass_fraction", "1", response.fallen_mass_fraction);
+}
+
+template <class A, class R>
+void walk_energy(A& a, R& energy) {
+  a.field("input", "J", energy.input);
+  a.field("kinetic", "J", energy.kinetic);
+  a.field("gravity", "J", energy.gravity);
+  a.field("elastic", "J", energy.elastic);
+  a.field("friction", "J", energy.friction);
+  a.field("damping", "J", energy.damping);
+  a.field("error", "J", energy.error);
+  a.field("largest_input", "J", energy.largest_input);
+  a.field("relative_error", "1", energy.relative_error);
+}
+
+template <class A, class R>
+void walk_numerics(A& a, R& numerics) {
+  a.field("integrator", "", numerics.integrator);
+  a.field("step", "s", numerics.step);
+  a.field("bound", "s", numerics.bound);
+  a.field("steps", "", numerics.steps);
+  a.field("step_reductions", "", numerics.step_reductions);
+  a.field("outcome", "", numerics.outcome);
+  a.field("outcome_detail", "", numerics.outcome_detail);
+  a.field("end_time", "s", numerics.end_time);
+  a.field("asked_time", "s", numerics.asked_time);
+  a.field("deepest_overlap", "m", numerics.deepest_overlap);
+  a.field("deepest_overlap_ratio", "1", numerics.deepest_overlap_ratio);
+  a.field("deepest_overlap_where", "", numerics.deepest_overlap_where);
+  a.field("overlap_ratio", "1", numerics.overlap_ratio);
+  a.field("warnings", "", numerics.warnings);
+}
+
+template <class A, class R>
+void walk_reproducibility(A& a, R& r) {
+  a.field("version", "", r.version);
+  a.field("git_hash", "", r.git_hash);
+  a.field("compiler", "", r.compiler);
+  a.field("command", "", r.command);
+  a.field("scenario", "", r.scenario);
+  a.field("scenario_sha256", "", r.scenario_sha256);
+  a.field("record_sha256", "", r.record_sha256);
+  a.field("state_hash", "", r.state_hash);
+  a.field("started", "", r.started);
+  a.field("wall_seconds", "s", r.wall_seconds);
+  a.field("cpu_seconds", "s", r.cpu_seconds);
+}
+
+/// `Run` is a RunResult, const for a writer.
+template <class A, class Run>
+void walk_run(A& a, Run& run) {
+  a.group("verdict", [&] {
+    a.field("kind", "", run.verdict.kind);
+    a.field("headline", "", run.verdict.headline);
+    a.field("evidence", "", run.verdict.evidence);
+  });
+  a.field("partial", "", run.partial);
+  a.group("model", [&] { walk_model(a, run.model); });
+  a.group("motion", [&] { walk_motion(a, run.motion); });
+  a.group("settle", [&] {
+    a.field("settled", "", run.settle.settled);
+    a.field("duration", "s", run.settle.duration);
+    a.field("greatest_movement", "m", run.settle.greatest_movement);
+    a.field("unbalanced_ratio", "1", run.settle.unbalanced_ratio);
+  });
+  a.group("trajectory", [&] { walk_trajectory(a, run.trajectory); });
+  a.group("response", [&] { walk_response(a, run.response); });
+  a.group("energy", [&] { walk_energy(a, run.energy); });
+  a.group("numerics", [&] { walk_numerics(a, run.numerics); });
+  a.group("reproducibility", [&] { walk_reproducibility(a, run.reproducibility); });
+  a.table("moments", run.moments, [&] {
+    a.column("time", "s", run.moments, &Moment::time);
+    a.column("caption", "", run.moments, &Moment::caption);
+  });
+}
+
+}  // namespace dougong::app

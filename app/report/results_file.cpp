@@ -1,0 +1,263 @@
+#include "app/report/results_file.h"
+
+#include <type_traits>
+#include <utility>
+
+#include "app/report/hdf5.h"
+#include "app/report/results_fields.h"
+#include "app/report/safe_file.h"
+
+namespace dougong::app {
+namespace {
+
+using engine::Vec2;
+using structures::VerdictKind;
+
+constexpr const char* format_name = "dougong results";
+static_assert(sizeof(Vec2) == 2 * sizeof(double), "a Vec2 is written as two doubles");
+
+constexpr VerdictKind verdict_kinds[] = {VerdictKind::survived, VerdictKind::collapsed,
+                                         VerdictKind::numerically_invalid, VerdictKind::undecided};
+
+VerdictKind verdict_named(const std::string& text) {
+  for (const VerdictKind kind : verdict_kinds) {
+    if (structures::to_string(kind) == text) return kind;
+  }
+  throw h5::Error("unknown verdict \"" + text + "\"");
+}
+
+/// Walks a const RunResult and writes.
+class Writer {
+ public:
+  explicit Writer(hid_t here) : here_(here) {}
+
+  template <class Inner>
+  void group(const std::string& name, Inner inner) {
+    const h5::Handle below = h5::make_group(here_, name);
+    const hid_t above = std::exchange(here_, below);
+    inner();
+    here_ = above;
+  }
+  template <class Rows, class Inner>
+  void table(const std::string& name, const Rows&, Inner inner) {
+    group(name, inner);
+  }
+  template <class Rows, class Inner>
+  void rows(const std::string& name, const Rows& rows, Inner inner) {
+    group(name, [&] {
+      for (std::size_t i = 0; i < rows.size(); ++i) group(std::to_string(i), [&] { inner(rows[i]); });
+    });
+  }
+  template <class Row, class T>
+  void column(const std::string& name, const char* unit, const std::vector<Row>& rows, T Row::*member) {
+    std::vector<T> values;
+    for (const Row& row : rows) values.push_back(row.*member);
+    field(name, unit, values);
+  }
+
+  void field(const std::string& name, const char* unit, double value) {
+    h5::write_numbers(here_, name, unit, {}, &value);
+  }
+  void field(const std::string& name, const char*, std::size_t value) {
+    integer(name, static_cast<std::int64_t>(value));
+  }
+  void field(const std::string& name, const char*, bool value) { integer(name, value ? 1 : 0); }
+  void field(const std::string& name, const char*, const std::string& text) {
+    h5::write_texts(here_, name, {}, {text});
+  }
+  void field(const std::string& name, const char*, VerdictKind kind) {
+    field(name, "", structures::to_string(kind));
+  }
+  void field(const std::string& name, const char* unit, const std::optional<double>& value) {
+    if (value) field(name, unit, *value);
+  }
+  void field(const std::string& name, const char* unit, const std::vector<double>& values) {
+    h5::write_numbers(here_, name, unit, {values.size()}, values.data());
+  }
+  void field(const std::string& name, const char* unit, const std::vector<Vec2>& values) {
+    h5::write_numbers(here_, name, unit, {values.size(), 2}, values.empty() ? nullptr : &values[0].x);
+  }
+  void field(const std::string& name, const char*, const std::vector<std::string>& texts) {
+    h5::write_texts(here_, name, {texts.size()}, texts);
+  }
+  template <class Integer>
+  requires std::is_integral_v<Integer>
+  void field(const std::string& name, const char*, const std::vector<Integer>& values) {
+    const std::vector<std::int64_t> wide(values.begin(), values.end());
+    h5::write_integers(here_, name, {wide.size()}, wide.data());
+  }
+  /// Lists of unequal length: all points in one dataset, and how many belong to each.
+  void field(const std::string& name, const char* unit, const std::vector<std::vector<Vec2>>& lists) {
+    std::vector<Vec2> all;
+    std::vector<std::size_t> counts;
+    for (const auto& list : lists) {
+      counts.push_back(list.size());
+      all.insert(all.end(), list.begin(), list.end());
+    }
+    field(name, unit, all);
+    field(name + "_count", "", counts);
+  }
+  /// Shaped when the sizes agree, flat otherwise.
+  void matrix(const std::string& name, const char* unit, const std::vector<double>& values,
+              const h5::Shape& shape) {
+    hsize_t product = 1;
+    for (const hsize_t extent : shape) product *= extent;
+    h5::write_numbers(here_, name, unit, product == values.size() ? shape : h5::Shape{values.size()},
+                      values.data());
+  }
+
+ private:
+  void integer(const std::string& name, std::int64_t value) { h5::write_integers(here_, name, {}, &value); }
+
+  hid_t here_;
+};
+
+/// Walks a RunResult and fills it.
+class Reader {
+ public:
+  explicit Reader(hid_t here) : here_(here) {}
+
+  template <class Inner>
+  void group(const std::string& name, Inner inner) {
+    const h5::Handle below = h5::open_group(here_, name);
+    const hid_t above = std::exchange(here_, below);
+    inner();
+    here_ = above;
+  }
+  template <class Rows, class Inner>
+  void table(const std::string& name, Rows& rows, Inner inner) {
+    rows.clear();
+    group(name, inner);
+  }
+  template <class Rows, class Inner>
+  void rows(const std::string& name, Rows& rows, Inner inner) {
+    rows.clear();
+    group(name, [&] {
+      while (h5::has(here_, std::to_string(rows.size()))) {
+        group(std::to_string(rows.size()), [&] { inner(rows.emplace_back()); });
+      }
+    });
+  }
+  template <class Row, class T>
+  void column(const std::string& name, const char* unit, std::vector<Row>& rows, T Row::*member) {
+    std::vector<T> values;
+    field(name, unit, values);
+    if (rows.empty()) rows.resize(values.size());
+    if (rows.size() != values.size())
+      throw h5::Error("column " + name + " has another length than its table");
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i].*member = std::move(values[i]);
+  }
+
+  void field(const std::string& name, const char*, double& value) {
+    value = one(h5::read_numbers(here_, name), name);
+  }
+  void field(const std::string& name, const char*, std::size_t& value) {
+    value = static_cast<std::size_t>(one(h5::read_integers(here_, name), name));
+  }
+  void field(const std::string& name, const char*, bool& value) {
+    value = one(h5::read_integers(here_, name), name) != 0;
+  }
+  void field(const std::string& name, const char*, std::string& text) {
+    text = one(h5::read_texts(here_, name), name);
+  }
+  void field(const std::string& name, const char*, VerdictKind& kind) {
+    kind = verdict_named(one(h5::read_texts(here_, name), name));
+  }
+  void field(const std::string& name, const char*, std::optional<double>& value) {
+    value.reset();
+    if (h5::has(here_, name)) value = one(h5::read_numbers(here_, name), name);
+  }
+  void field(const std::string& name, const char*, std::vector<double>& values) {
+    values = h5::read_numbers(here_, name);
+  }
+  void field(const std::string& name, const char*, std::vector<Vec2>& values) {
+    const std::vector<double> flat = h5::read_numbers(here_, name);
+    values.resize(flat.size() / 2);
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = {flat[2 * i], flat[2 * i + 1]};
+  }
+  void field(const std::string& name, const char*, std::vector<std::string>& texts) {
+    texts = h5::read_texts(here_, name);
+  }
+  template <class Integer>
+  requires std::is_integral_v<Integer>
+  void field(const std::string& name, const char*, std::vector<Integer>& values) {
+    values.clear();
+    for (const std::int64_t wide : h5::read_integers(here_, name))
+      values.push_back(static_cast<Integer>(wide));
+  }
+  void field(const std::string& name, const char* unit, std::vector<std::vector<Vec2>>& lists) {
+    std::vector<Vec2> all;
+    std::vector<std::size_t> counts;
+    field(name, unit, all);
+    field(name + "_count", "", counts);
+    auto next = all.begin();
+    for (const std::size_t count : counts) {
+      if (count > static_cast<std::size_t>(all.end() - next))
+        throw h5::Error("column " + name + " is cut short");
+      const auto end = next + static_cast<std::ptrdiff_t>(count);
+      lists.emplace_back(next, end);
+      next = end;
+    }
+  }
+  void matrix(const std::string& name, const char*, std::vector<double>& values,
+              std::initializer_list<std::size_t>) {
+    values = h5::read_numbers(here_, name);
+  }
+
+ private:
+  template <class T>
+  static T one(std::vector<T> values, const std::string& name) {
+    if (values.size() != 1) throw h5::Error("dataset " + name + " is not a single value");
+    return std::move(values.front());
+  }
+
+  hid_t here_;
+};
+
+void check_format(hid_t file) {
+  if (h5::read_text_attribute(file, "format") != format_name) throw h5::Error("not a dougong results file");
+  const std::int64_t version = h5::read_integer_attribute(file, "format_version");
+  if (version > results_format_version) {
+    throw h5::Error("results format " + std::to_string(version) + " is newer than this program reads (" +
+                    std::to_string(results_format_version) + ")");
+  }
+}
+
+std::string results_image(const RunResult& run) {
+  const h5::Handle file = h5::new_file_in_memory();
+  h5::write_text_attribute(file, "format", format_name);
+  h5::write_integer_attribute(file, "format_version", results_format_version);
+  Writer writer(file);
+  walk_run(writer, run);
+  return h5::image(file);
+}
+
+}  // namespace
+
+void write_results(const RunResult& run, const std::filesystem::path& path) {
+  const h5::Quiet quiet;
+  std::string bytes;
+  try {
+    bytes = results_image(run);
+  } catch (const h5::Error& error) {
+    throw FileError(path, "write", error.what());
+  }
+  write_file(path, bytes);
+}
+
+RunResult read_results(const std::filesystem::path& path) {
+  const h5::Quiet quiet;
+  if (!std::filesystem::exists(path)) throw FileError(path, "read", "no such file");
+  try {
+    const h5::Handle file = h5::open_file(path);
+    check_format(file);
+    RunResult run;
+    Reader reader(file);
+    walk_run(reader, run);
+    return run;
+  } catch (const h5::Error& error) {
+    throw FileError(path, "read", error.what());
+  }
+}
+
+}  // namespace dougong::app

@@ -1,0 +1,115 @@
+// The response spectrum of the input motion.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/report/axis.h"
+#include "app/report/colour.h"
+#include "app/report/figures.h"
+#include "app/report/histories.h"
+#include "app/report/text.h"
+#include "engine/scene.h"
+
+namespace dougong::app {
+namespace {
+
+constexpr int width = 620, height = 440, left = 84, right = 30, top = 66, bottom = 56;  // px
+constexpr double decades_shown = 3.0;                                                   // below the peak
+
+double decade_below(double v) {
+  return std::pow(10.0, std::floor(std::log10(v) + 1e-9));
+}
+/// The next 1, 2 or 5 of a decade.
+double round_above(double v) {
+  const double below = round_below(v);
+  for (const double factor : {1.0, 2.0, 2.5, 5.0}) {
+    const double candidate = factor * below;
+    if (candidate >= 1.15 * v && std::abs(round_below(candidate) - candidate) < 1e-9 * candidate)
+      return candidate;
+  }
+  return 10.0 * below;
+}
+
+std::string curve_data(const MotionSheet& m) {
+  std::string out;
+  for (std::size_t i = 0; i < std::min(m.spectrum_periods.size(), m.spectrum_psa.size()); ++i) {
+    if (m.spectrum_periods[i] <= 0 || !(m.spectrum_psa[i] > 0)) continue;
+    out +=
+        fmt::format("{:.6g} {:.6g}\n", m.spectrum_periods[i], m.spectrum_psa[i] / engine::standard_gravity);
+  }
+  return out;
+}
+
+Range period_range(const MotionSheet& m) {
+  Range r{INFINITY, 0.0};
+  for (const double period : m.spectrum_periods) {
+    if (period > 0) r = {std::min(r.low, period), std::max(r.high, period)};
+  }
+  return r.low < r.high ? r : Range{0.01, 10.0};
+}
+
+Range psa_range(const MotionSheet& m) {
+  Range r{INFINITY, 0.0};
+  for (const double psa : m.spectrum_psa) {
+    if (psa > 0) r = {std::min(r.low, psa), std::max(r.high, psa)};
+  }
+  if (!(r.low <= r.high)) return {0.01, 1.0};
+  const double high = round_above(r.high / engine::standard_gravity);
+  const double low = std::max(r.low / engine::standard_gravity, high * std::pow(10.0, -decades_shown));
+  return {std::min(round_below(low), 0.1 * high), high};
+}
+
+std::string log_tics(const char* axis, Range range) {
+  std::string out;
+  for (double decade = decade_below(range.low); decade <= range.high; decade *= 10.0) {
+    for (const double factor : {1.0, 2.0, 5.0}) {
+      const double v = factor * decade;
+      if (v < range.low * 0.999 || v > range.high * 1.001) continue;
+      out += fmt::format("{}'{:g}' {:g}", out.empty() ? "" : ", ", v, v);
+    }
+  }
+  return fmt::format("set {}tics ({})\n", axis, out);
+}
+
+/// A dashed line at the period and a dot where it meets the spectrum.
+std::string period_mark(const RunResult& run, Range x, Range y) {
+  const double period = run.model.period, psa = run.motion.spectrum_at_period / engine::standard_gravity;
+  if (period < x.low || period > x.high) return "";
+  const bool right_half = std::log(period / x.low) > 0.62 * std::log(x.high / x.low);
+  const std::string colour = to_hex(category_ink(1));
+  std::string text = "building, T₁ = " + significant(period, 3) + " s";
+  if (psa > 0) text += ": " + significant(psa, 3) + " g";
+  std::string out =
+      fmt::format("set arrow from {0:.6g}, graph 0 to {0:.6g}, graph 1 nohead dt (6,4) lw 1.2 lc rgb '{1}'\n",
+                  period, colour);
+  out +=
+      fmt::format("set label {} at {:.6g}, graph 0.05 {} offset character {},0 front tc rgb '{}'\n",
+                  gnuplot_text(text), period, right_half ? "right" : "left", right_half ? -0.8 : 0.8, colour);
+  if (psa >= y.low && psa <= y.high) {
+    out += fmt::format("set label '' at {:.6g},{:.6g} front point pt 7 ps 0.8 lc rgb '{}'\n", period, psa,
+                       colour);
+  }
+  return out;
+}
+
+}  // namespace
+
+Figure spectrum_figure(const RunResult& run) {
+  const Range x = period_range(run.motion), y = psa_range(run.motion);
+  Figure figure{width, height, "", {{"spectrum.txt", curve_data(run.motion)}}};
+  figure.script =
+      plain_style() + "set logscale xy\n" +
+      fmt::format("set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\n", left / double(width),
+                  1.0 - right / double(width)) +
+      fmt::format("set tmargin at screen {:.5f}\nset bmargin at screen {:.5f}\n", 1.0 - top / double(height),
+                  bottom / double(height)) +
+      fmt::format("set xrange [{:.6g}:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\n", x.low, x.high, y.low, y.high) +
+      log_tics("x", x) + log_tics("y", y) +
+      heading("Response spectrum of the ground motion, 5 % damping", run.motion.title, width, height) +
+      "set xlabel 'Period, T (s)'\nset ylabel 'Pseudo-acceleration, PSa (g)'\n" + period_mark(run, x, y) +
+      fmt::format("plot 'spectrum.txt' with lines lw 1.8 lc rgb '{}' notitle\n", to_hex(category(0)));
+  return figure;
+}
+
+}  // namespace dougong::app

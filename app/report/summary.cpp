@@ -1,0 +1,153 @@
+#include "app/report/summary.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace dougong::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using structures::Envelope;
+using structures::Peak;
+
+/// JSON has no infinity and no NaN.
+Json number(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+Json number(const std::optional<double>& value) {
+  return value ? number(*value) : Json(nullptr);
+}
+
+Json metric(double value, const char* unit, Json time = nullptr) {
+  return {{"value", number(value)}, {"unit", unit}, {"time", std::move(time)}};
+}
+Json metric(const Peak& peak, const char* unit) {
+  return metric(peak.value, unit, number(peak.time));
+}
+Json both_signs(const Envelope& envelope, const char* unit) {
+  return {{"positive", metric(envelope.positive, unit)}, {"negative", metric(envelope.negative, unit)}};
+}
+
+Json verdict_part(const RunResult& run) {
+  return {{"kind", structures::to_string(run.verdict.kind)},
+          {"headline", run.verdict.headline},
+          {"evidence", run.verdict.evidence}};
+}
+
+Json storey_part(const structures::StoreyResponse& storey) {
+  return {{"name", storey.name},
+          {"height", metric(storey.height, "m")},
+          {"peak_drift_ratio", both_signs(storey.peak_drift, "1")},
+          {"residual_drift_ratio", metric(storey.residual_drift, "1")},
+          {"peak_floor_acceleration", both_signs(storey.peak_acceleration, "m/s2")},
+          {"mass_lost", metric(storey.mass_lost.empty() ? 0.0 : storey.mass_lost.back(), "1")},
+          {"lost_at", number(storey.lost_at)}};
+}
+
+/// The largest drift of any storey before its loss, sign kept.
+Json largest_drift(const structures::Response& response) {
+  Peak largest;
+  std::string storey;
+  for (const auto& s : response.storeys) {
+    const Peak peak = s.peak_drift.largest();
+    if (!storey.empty() && std::abs(peak.value) <= std::abs(largest.value)) continue;
+    largest = peak;
+    storey = s.name;
+  }
+  Json out = metric(largest, "1");
+  out["storey"] = storey;
+  return out;
+}
+
+Json metrics_part(const RunResult& run) {
+  const auto& r = run.response;
+  Json storeys = Json::array();
+  for (const auto& storey : r.storeys) storeys.push_back(storey_part(storey));
+  return {{"largest_drift_ratio", largest_drift(r)},
+          {"peak_roof_displacement", both_signs(r.peak_roof_displacement, "m")},
+          {"peak_base_shear", both_signs(r.peak_base_shear, "N")},
+          {"weight", metric(r.weight, "N")},
+          {"period", metric(run.model.period, "s")},
+          {"spectral_acceleration_at_period", metric(run.motion.spectrum_at_period, "m/s2")},
+          {"first_loss_of_support", number(r.first_loss_of_support)},
+          {"blocks_lost", metric(static_cast<double>(r.losses.size()), "1")},
+          {"fallen_mass_fraction", metric(r.fallen_mass_fraction, "1")},
+          {"storeys", storeys}};
+}
+
+double last(const std::vector<double>& values) {
+  return values.empty() ? 0.0 : values.back();
+}
+
+Json energy_part(const EnergyHistory& energy) {
+  return {{"input", metric(last(energy.input), "J")},
+          {"kinetic", metric(last(energy.kinetic), "J")},
+          {"gravity", metric(last(energy.gravity), "J")},
+          {"elastic", metric(last(energy.elastic), "J")},
+          {"friction", metric(last(energy.friction), "J")},
+          {"damping", metric(last(energy.damping), "J")},
+          {"error", metric(last(energy.error), "J")},
+          {"largest_input", metric(energy.largest_input, "J")},
+          {"relative_error", metric(energy.relative_error, "1")}};
+}
+
+Json numerics_part(const RunResult& run) {
+  const Numerics& n = run.numerics;
+  return {{"integrator", n.integrator},
+          {"step", metric(n.step, "s")},
+          {"stability_bound", metric(n.bound, "s")},
+          {"steps", n.steps},
+          {"step_reductions", n.step_reductions},
+          {"outcome", n.outcome},
+          {"outcome_detail", n.outcome_detail},
+          {"end_time", metric(n.end_time, "s")},
+          {"asked_time", metric(n.asked_time, "s")},
+          {"deepest_overlap", metric(n.deepest_overlap, "m")},
+          {"deepest_overlap_ratio", metric(n.deepest_overlap_ratio, "1")},
+          {"deepest_overlap_where", n.deepest_overlap_where},
+          {"settled", run.settle.settled},
+          {"warnings", n.warnings}};
+}
+
+Json provenance_part(const RunResult& run) {
+  Json record = Json::array();
+  for (const NamedValue& entry : run.motion.provenance)
+    record.push_back({{"name", entry.name}, {"value", entry.value}});
+  return {{"layout", run.model.layout},
+          {"motion", run.motion.title},
+          {"record", record},
+          {"processing", run.motion.processing},
+          {"modelled", run.model.modelled},
+          {"not_modelled", run.model.not_modelled}};
+}
+
+Json reproducibility_part(const Reproducibility& r) {
+  return {{"version", r.version},
+          {"git_hash", r.git_hash},
+          {"compiler", r.compiler},
+          {"command", r.command},
+          {"scenario_sha256", r.scenario_sha256},
+          {"record_sha256", r.record_sha256},
+          {"state_hash", r.state_hash},
+          {"started", r.started},
+          {"wall_time", metric(r.wall_seconds, "s")},
+          {"processor_time", metric(r.cpu_seconds, "s")}};
+}
+
+}  // namespace
+
+std::string summary_json(const RunResult& run, const std::vector<std::string>& files) {
+  const Json out{{"format", "dougong summary"},
+                 {"format_version", summary_format_version},
+                 {"partial", run.partial},
+                 {"verdict", verdict_part(run)},
+                 {"metrics", metrics_part(run)},
+                 {"energy", energy_part(run.energy)},
+                 {"numerics", numerics_part(run)},
+                 {"provenance", provenance_part(run)},
+                 {"reproducibility", reproducibility_part(run.reproducibility)},
+                 {"files", files}};
+  return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace dougong::app

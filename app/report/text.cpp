@@ -1,0 +1,128 @@
+#include "app/report/text.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "engine/scene.h"
+
+namespace dougong::app {
+namespace {
+
+constexpr std::string_view minus_sign = "−";
+constexpr std::string_view not_available = "n/a";
+
+bool prints_as_zero(const std::string& digits) {
+  return digits.find_first_of("123456789") == std::string::npos;
+}
+
+std::string with_sign(double value, std::string digits, bool plus) {
+  if (prints_as_zero(digits)) return digits;
+  if (value < 0) return std::string(minus_sign) + digits;
+  return plus ? "+" + digits : digits;
+}
+
+/// "3.2 × 10⁻⁷"
+std::string power_of_ten(double size, int digits) {
+  constexpr const char* raised[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  const std::string plain = fmt::format("{:.{}e}", size, digits - 1);
+  const auto mark = plain.find('e');
+  std::string out = plain.substr(0, mark) + " × 10" + (plain[mark + 1] == '-' ? "⁻" : "");
+  const std::string exponent = std::to_string(std::abs(std::stoi(plain.substr(mark + 1))));
+  for (const char digit : exponent) out += raised[digit - '0'];
+  return out;
+}
+
+}  // namespace
+
+std::string exact(double value) {
+  std::array<char, 32> buffer{};
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
+  return {buffer.data(), end};
+}
+
+std::string fixed(double value, int decimals) {
+  if (!std::isfinite(value)) return std::string(not_available);
+  return with_sign(value, fmt::format("{:.{}f}", std::abs(value), decimals), false);
+}
+
+std::string signed_fixed(double value, int decimals) {
+  if (!std::isfinite(value)) return std::string(not_available);
+  return with_sign(value, fmt::format("{:.{}f}", std::abs(value), decimals), true);
+}
+
+std::string significant(double value, int digits) {
+  if (!std::isfinite(value)) return std::string(not_available);
+  const double size = std::abs(value);
+  if (size == 0.0) return "0";
+  if (size < 1e-4 || size >= 1e6) return with_sign(value, power_of_ten(size, digits), false);
+  const int magnitude = static_cast<int>(std::floor(std::log10(size)));
+  return fixed(value, std::max(0, digits - 1 - magnitude));
+}
+
+std::string drift_percent(double ratio) {
+  const double percent = 100.0 * ratio;
+  return signed_fixed(percent, std::abs(percent) < 0.1 ? 3 : 2) + " %";
+}
+
+std::string drift_fraction(double ratio) {
+  if (!std::isfinite(ratio)) return std::string(not_available);
+  if (std::abs(ratio) < 1e-5) return "0";
+  return fmt::format("1/{:.0f}", 1.0 / std::abs(ratio));
+}
+
+std::string acceleration_g(double acceleration) {
+  return signed_fixed(acceleration / engine::standard_gravity, 3) + " g";
+}
+
+std::string seconds(double time) {
+  return fixed(time, 2) + " s";
+}
+
+std::string displacement(double metres) {
+  if (std::abs(metres) >= 1.0) return signed_fixed(metres, 2) + " m";
+  return signed_fixed(1e3 * metres, std::abs(metres) < 0.01 ? 2 : 1) + " mm";
+}
+
+std::string length(double metres) {
+  const double size = std::abs(metres);
+  return size >= 1.0 ? fixed(size, 2) + " m" : fixed(1e3 * size, size < 0.01 ? 2 : 1) + " mm";
+}
+
+std::string mass_text(double kilograms) {
+  return kilograms < 1000.0 ? significant(kilograms, 3) + " kg" : significant(kilograms / 1000.0, 3) + " t";
+}
+
+std::string escape_markup(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      case '\'':
+        out += "&#39;";
+        break;
+      default:
+        if (static_cast<unsigned char>(c) >= 0x20 || c == '\n' || c == '\t') out += c;
+    }
+  }
+  return out;
+}
+
+std::string plural(std::size_t count, std::string_view noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+}  // namespace dougong::app

@@ -1,0 +1,154 @@
+#include "app/study/execute.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+
+#include "app/study/moments.h"
+#include "app/study/recorder.h"
+#include "app/study/version.h"
+#include "seismic/formats/file_text.h"
+
+namespace dougong::app {
+namespace {
+
+// Wall and processor time of the run.
+class Stopwatch {
+ public:
+  double wall() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_).count(); }
+  double cpu() const { return static_cast<double>(std::clock() - cpu_) / CLOCKS_PER_SEC; }
+
+ private:
+  std::chrono::steady_clock::time_point wall_ = std::chrono::steady_clock::now();
+  std::clock_t cpu_ = std::clock();
+};
+
+std::string pair_name(const engine::Model& model, engine::BodyPair pair) {
+  return model.names[pair.a] + " / " + model.names[pair.b];
+}
+
+void describe_deepest(const Preparation& p, Numerics& n) {
+  n.deepest_overlap_ratio = p.state.deepest_ratio;
+  if (p.state.deepest_ratio == 0.0) return;
+  const auto [a, b] = p.state.deepest_pair;
+  n.deepest_overlap = p.state.deepest_ratio * std::min(p.model.minimum_width[a], p.model.minimum_width[b]);
+  n.deepest_overlap_where = fmt::format("{} at {:.2f} s", pair_name(p.model, p.state.deepest_pair), p.state.deepest_time);
+}
+
+Numerics numerics_of(const Preparation& p, const engine::RunOutcome& run, const Recorder& recorder) {
+  Numerics n;
+  n.integrator = p.drive.integrator;
+  n.step = run.smallest_step;
+  n.bound = run.bound;
+  n.steps = run.steps;
+  n.step_reductions = run.step_reductions;
+  n.outcome = to_string(run.outcome);
+  n.outcome_detail = run.detail;
+  n.end_time = run.end_time;
+  n.asked_time = p.duration;
+  n.overlap_ratio = recorder.overlap_ratio;
+  describe_deepest(p, n);
+  if (run.step_reductions > 0)
+    n.warnings.push_back(fmt::format("the step was reduced {} times, to {:.3g} s, when stiffer contacts appeared",
+                                     run.step_reductions, run.smallest_step));
+  if (p.scenario.solve.settle && !p.settle.settled)
+    n.warnings.push_back(fmt::format("the building did not come to rest under its own weight within {:.1f} s",
+                                     p.settle.duration));
+  return n;
+}
+
+SettleSheet settle_sheet(const engine::SettleReport& report) {
+  return {report.settled, report.duration, report.greatest_movement, report.unbalanced_ratio};
+}
+
+structures::NumericalEvidence evidence_of(const Numerics& n, const engine::RunOutcome& run, const Recorder& recorder) {
+  using Outcome = structures::NumericalEvidence::Outcome;
+  structures::NumericalEvidence e;
+  e.outcome = run.outcome == engine::Outcome::completed              ? Outcome::completed
+              : run.outcome == engine::Outcome::interrupted          ? Outcome::interrupted
+              : run.outcome == engine::Outcome::stopped_by_criterion ? Outcome::stopped
+                                                                     : Outcome::diverged;
+  e.outcome_detail = run.detail;
+  e.finite = std::isfinite(recorder.energy.relative_error);
+  e.energy_error_ratio = recorder.energy.relative_error;
+  e.deepest_overlap_ratio = n.deepest_overlap_ratio;
+  e.deepest_overlap_where = n.deepest_overlap_where;
+  e.end_time = n.end_time;
+  e.asked_time = n.asked_time;
+  e.greatest_speed_at_end = recorder.greatest_speed();
+  return e;
+}
+
+// A building that does not stand under its own weight has its verdict before anything shakes it.
+std::optional<structures::Verdict> verdict_before_shaking(const Preparation& p) {
+  if (!p.scenario.solve.settle || p.settle.settled) return std::nullopt;
+  structures::Verdict verdict;
+  verdict.kind = p.settle.outcome == engine::Outcome::diverged ? structures::VerdictKind::numerically_invalid
+                                                               : structures::VerdictKind::collapsed;
+  verdict.headline = verdict.kind == structures::VerdictKind::collapsed
+                         ? "The building does not stand under its own weight; it was not shaken."
+                         : "The numbers failed while the building settled under its own weight.";
+  verdict.evidence.push_back(fmt::format(
+      "After {:.1f} s under gravity alone {} had moved {:.3g} m and the largest unbalanced force was {:.2g} of the "
+      "weight.",
+      p.settle.duration, p.settle.moved_most, p.settle.greatest_movement, p.settle.unbalanced_ratio));
+  if (!p.settle.detail.empty()) verdict.evidence.push_back(p.settle.detail);
+  return verdict;
+}
+
+Reproducibility reproducibility_of(const Preparation& p, const std::string& command) {
+  Reproducibility r;
+  r.version = program_version();
+  r.git_hash = program_git_hash();
+  r.compiler = program_compiler();
+  r.command = command;
+  r.scenario = to_toml(p.scenario);
+  r.scenario_sha256 = seismic::sha256_hex(r.scenario);
+  r.record_sha256 = p.motion.records.horizontal().provenance.sha256;
+  r.started = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+  return r;
+}
+
+engine::RunOutcome shake(Preparation& p, Recorder& recorder, const ProgressObserver& progress) {
+  engine::DriveOptions options = p.drive;
+  if (verdict_before_shaking(p)) options.end_time = 0.0;
+  return engine::drive(p.model, p.state, options, [&](const engine::Sample& sample) {
+    recorder.note(sample);
+    return !progress || progress(recorder.progress()) ? engine::Wish::go_on : engine::Wish::interrupt;
+  });
+}
+
+}  // namespace
+
+RunResult execute(Preparation& p, const std::string& command, const ProgressObserver& progress) {
+  RunResult result;
+  result.reproducibility = reproducibility_of(p, command);
+  result.model = model_sheet(p);
+  result.motion = motion_sheet(p.motion, p.period);
+  result.settle = settle_sheet(p.settle);
+
+  const Stopwatch watch;
+  Recorder recorder(p);
+  const engine::RunOutcome run = shake(p, recorder, progress);
+  result.reproducibility.wall_seconds = watch.wall();
+  result.reproducibility.cpu_seconds = watch.cpu();
+  result.reproducibility.state_hash = engine::state_hash(p.state);
+
+  result.partial = run.outcome == engine::Outcome::interrupted;
+  result.numerics = numerics_of(p, run, recorder);
+  result.response = structures::compute_response(p.building, recorder.trajectory, p.scenario.loss);
+  const auto early = verdict_before_shaking(p);
+  result.verdict = early ? *early
+                         : structures::judge(result.response, evidence_of(result.numerics, run, recorder),
+                                             p.scenario.verdict);
+  result.trajectory = std::move(recorder.trajectory);
+  result.energy = std::move(recorder.energy);
+  result.moments = moments_of(result);
+  return result;
+}
+
+}  // namespace dougong::app

@@ -1,0 +1,20 @@
+// Runs what was prepared and gathers what it leaves behind.
+#pragma once
+
+#include <functional>
+
+#include "app/study/prepare.h"
+
+namespace dougong::app {
+
+struct Progress {
+  double time = 0.0, end_time = 0.0;  // s
+  double peak_drift = 0.0;            // -, largest interstorey drift ratio so far, signed
+  double energy_error = 0.0;          // -, of the largest input so far
+};
+/// Returns false to interrupt the run: what was reached is kept and marked as partial.
+using ProgressObserver = std::function<bool(const Progress&)>;
+
+RunResult execute(Preparation& preparation, const std::string& command, const ProgressObserver& progress = {});
+
+}  // namespace dougong::app

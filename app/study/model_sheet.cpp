@@ -1,0 +1,118 @@
+// What the report and the terminal say of the model.
+#include <fmt/format.h>
+
+#include <map>
+
+#include "app/study/prepare.h"
+#include "app/study/quantity.h"
+
+namespace dougong::app {
+namespace {
+
+std::vector<engine::Vec2> outline_of(const engine::Shape& shape) {
+  if (const auto* polygon = std::get_if<engine::ConvexPolygon>(&shape)) return polygon->vertices();
+  return {};
+}
+
+double radius_of(const engine::Shape& shape) {
+  if (const auto* circle = std::get_if<engine::Circle>(&shape)) return circle->radius;
+  return 0.0;
+}
+
+template <class Thing>
+DrawnShape drawn(const Thing& thing, const engine::Scene& scene) {
+  DrawnShape d;
+  d.name = thing.name;
+  d.outline = outline_of(thing.shape);
+  d.radius = radius_of(thing.shape);
+  d.position = thing.position;
+  d.angle = thing.angle;
+  d.material = scene.materials[thing.material].name;
+  return d;
+}
+
+double mass_of(const engine::Body& body, const engine::Scene& scene) {
+  return body.mass ? *body.mass
+                   : engine::mass_properties(body.shape, scene.materials[body.material].density, body.thickness).mass;
+}
+
+NamedValue describe_material(const engine::Material& m) {
+  return {m.name,
+          fmt::format("E {}, {}, friction {}, damping ratio {}", print_quantity(m.young_modulus, Dimension::pressure),
+                      print_quantity(m.density, Dimension::density), m.friction_coefficient, m.damping_ratio),
+          "damping ratio of a contact point; friction of two materials is the smaller one"};
+}
+
+void add_storeys(const structures::Building& building, ModelSheet& sheet) {
+  for (std::size_t s = 0; s < building.storeys.size(); ++s) {
+    const structures::Storey& storey = building.storeys[s];
+    StoreySheet row{storey.name, storey.base, storey.height, 0.0, storey.storey_blocks.size()};
+    for (const std::size_t block : storey.storey_blocks) {
+      row.mass += sheet.blocks[block].mass;
+      sheet.blocks[block].storey = static_cast<int>(s);
+    }
+    sheet.storeys.push_back(row);
+  }
+}
+
+std::string meaning_of(const std::string& layout, const std::string& parameter) {
+  const structures::Parameter* p = structures::find_layout(layout).parameter(parameter);
+  return p ? p->meaning : "";
+}
+
+std::vector<std::string> modelled_terms(const Preparation& p) {
+  std::vector<std::string> terms{
+      fmt::format("{} rigid blocks with three degrees of freedom each, large displacements and rotations",
+                  p.model.body_count),
+      "contact of every block with every other and the ground: springs from the Young's moduli and block heights in "
+      "series, dashpots from the damping ratio, never tensile",
+      "Coulomb friction with an elastic spring: a block that sticks does not creep",
+      "uniform gravity of 9.80665 m/s2",
+      p.motion.ground->vertical() ? "ground motion, horizontal and vertical, as absolute displacement of the ground"
+                                  : "ground motion, horizontal, as absolute displacement of the ground"};
+  return terms;
+}
+
+std::vector<std::string> missing_terms(const Preparation& p) {
+  std::vector<std::string> terms{
+      "deformation, cracking and crushing within a block: blocks are rigid, their elasticity acts at the contacts",
+      "out-of-plane motion and torsion: the model is plane",
+      "mortar, ties, reinforcement and other bonds: the assembly is dry",
+      "soil flexibility and soil-structure interaction: the ground is rigid and moves as prescribed"};
+  if (!p.motion.ground->vertical()) terms.push_back("vertical ground motion");
+  return terms;
+}
+
+}  // namespace
+
+ModelSheet model_sheet(const structures::Building& building) {
+  ModelSheet sheet;
+  sheet.layout = building.layout;
+  sheet.title = structures::find_layout(building.layout).summary;
+  for (const auto& [name, value] : building.parameters)
+    sheet.parameters.push_back({name, value, meaning_of(building.layout, name)});
+  for (const engine::Material& m : building.scene.materials) sheet.materials.push_back(describe_material(m));
+  for (const engine::Body& body : building.scene.bodies) {
+    sheet.blocks.push_back(drawn(body, building.scene));
+    sheet.blocks.back().mass = mass_of(body, building.scene);
+    sheet.mass += sheet.blocks.back().mass;
+  }
+  for (const engine::Terrain& terrain : building.scene.terrains)
+    sheet.terrains.push_back(drawn(terrain, building.scene));
+  add_storeys(building, sheet);
+  return sheet;
+}
+
+ModelSheet model_sheet(const Preparation& p) {
+  ModelSheet sheet = model_sheet(p.building);
+  sheet.contact_points = p.contact_points;
+  sheet.period = p.period;
+  sheet.period_participation = p.participation;
+  sheet.modelled = modelled_terms(p);
+  sheet.not_modelled = missing_terms(p);
+  for (const structures::Finding& finding : p.findings)
+    sheet.findings.push_back(to_string(finding.severity) + ": " + finding.message);
+  return sheet;
+}
+
+}  // namespace dougong::app

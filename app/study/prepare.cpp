@@ -1,0 +1,83 @@
+#include "app/study/prepare.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace dougong::app {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+void refuse_errors(const std::vector<structures::Finding>& findings) {
+  std::string errors;
+  for (const structures::Finding& finding : findings)
+    if (finding.severity == structures::Severity::error) errors += (errors.empty() ? "" : "\n") + finding.message;
+  if (!errors.empty()) throw ModelError(errors);
+}
+
+engine::DriveOptions drive_options(const Scenario& scenario, double duration) {
+  engine::DriveOptions options;
+  options.integrator = scenario.solve.integrator;
+  options.step_fraction = scenario.solve.step_fraction;
+  options.step = scenario.solve.step;
+  options.output_interval = 1.0 / scenario.output.rate;
+  options.end_time = duration;
+  return options;
+}
+
+double duration_of(const Scenario& scenario, const MotionInput& motion) {
+  if (scenario.solve.duration) return *scenario.solve.duration;
+  return motion.ground->duration() + scenario.solve.free_vibration;
+}
+
+void settle_building(Preparation& p) {
+  if (p.scenario.solve.settle) p.settle = engine::settle(p.model, p.state);
+  p.contact_points = 0;
+  const auto frames = engine::frames_of(p.model, p.state);
+  for (std::size_t i = 0; i < p.state.contacts.points.size(); ++i)
+    if (engine::geometry_of(p.state.contacts.points, i, frames).overlap > 0.0) ++p.contact_points;
+}
+
+// The mode that carries most of the mass is the one an engineer calls the building's period.
+void find_period(Preparation& p) {
+  for (const engine::Mode& mode : engine::horizontal_modes(p.model, p.state))
+    if (mode.participation > p.participation && mode.period() > 0.0)
+      p.period = mode.period(), p.participation = mode.participation;
+}
+
+// A trial of a few hundred steps on a copy: what the machine at hand really needs.
+double estimate_cost(const Preparation& p) {
+  engine::State trial = p.state;
+  engine::DriveOptions options = p.drive;
+  options.end_time = std::min(p.duration, std::max(p.plan.output_interval, 300.0 * p.plan.step));
+  const auto start = Clock::now();
+  const engine::RunOutcome run = engine::drive(p.model, trial, options, {});
+  const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  return run.end_time > 0.0 ? seconds / run.end_time * p.duration : 0.0;
+}
+
+}  // namespace
+
+Preparation prepare(const Scenario& scenario, const std::filesystem::path& records_directory) {
+  Preparation p;
+  p.scenario = scenario;
+  p.building = structures::build_layout(scenario.layout.name, scenario.layout.parameters);
+  p.findings = structures::check_model(p.building);
+  refuse_errors(p.findings);
+  p.motion = make_motion(scenario, records_directory);
+  for (engine::Terrain& terrain : p.building.scene.terrains) terrain.motion = p.motion.ground;
+  p.model = engine::compile(p.building.scene);
+  p.state = engine::initial_state(p.model, p.building.scene);
+  settle_building(p);
+  find_period(p);
+  p.duration = duration_of(scenario, p.motion);
+  p.drive = drive_options(scenario, p.duration);
+  p.plan = engine::plan_steps(p.model, p.state, p.drive);
+  if (p.drive.step && *p.drive.step > p.plan.bound)
+    throw std::invalid_argument("solve.step: expected at most the stability bound of " +
+                                std::to_string(p.plan.bound) + " s, found " + std::to_string(*p.drive.step) + " s");
+  p.estimated_seconds = estimate_cost(p);
+  return p;
+}
+
+}  // namespace dougong::app

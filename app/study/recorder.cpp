@@ -1,0 +1,89 @@
+#include "app/study/recorder.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dougong::app {
+namespace {
+
+double deepest_now(const engine::ContactPoints& points, std::span<const engine::Frame> frames) {
+  double deepest = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    deepest = std::max(deepest, engine::geometry_of(points, i, frames).overlap * points.inverse_width[i]);
+  return deepest;
+}
+
+}  // namespace
+
+Recorder::Recorder(const Preparation& preparation) : preparation_(preparation) {
+  trajectory.blocks = preparation.model.body_count;
+}
+
+void Recorder::note(const engine::Sample& sample) {
+  note_motion(sample);
+  note_energy(sample.state);
+  note_drift();
+}
+
+void Recorder::note_motion(const engine::Sample& sample) {
+  const engine::Model& model = preparation_.model;
+  const std::size_t n = model.body_count;
+  const auto frames = engine::frames_of(model, sample.state);
+  const engine::MotionSample ground = preparation_.motion.ground->at(sample.state.time);
+  trajectory.times.push_back(sample.state.time);
+  trajectory.ground_displacement.push_back(ground.displacement);
+  trajectory.ground_reaction.push_back(sample.terrain_reaction);
+  greatest_speed_ = 0.0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const engine::Vec2 p = frames[i].position() + model.origin;
+    trajectory.poses.insert(trajectory.poses.end(), {p.x, p.y, frames[i].angle});
+    trajectory.accelerations.push_back(sample.accelerations[i]);
+    greatest_speed_ = std::max(greatest_speed_, engine::norm(frames[i].velocity() - ground.velocity));
+  }
+  overlap_ratio.push_back(deepest_now(sample.state.contacts.points, frames));
+}
+
+void Recorder::note_energy(const engine::State& state) {
+  const engine::Energies e = engine::energies_of(preparation_.model, state);
+  if (energy.input.empty()) first_balance_ = e.balance();
+  const double error = e.balance() - first_balance_;
+  const std::pair<std::vector<double>*, double> columns[] = {
+      {&energy.input, e.input},     {&energy.kinetic, e.kinetic},   {&energy.gravity, e.gravity},
+      {&energy.elastic, e.elastic}, {&energy.friction, e.friction}, {&energy.damping, e.damping},
+      {&energy.error, error}};
+  for (const auto& [column, value] : columns) column->push_back(value);
+  energy.largest_input = std::max(energy.largest_input, std::abs(e.input));
+  largest_error_ = std::max(largest_error_, std::abs(error));
+  energy.relative_error = energy.largest_input > 0.0 ? largest_error_ / energy.largest_input : 0.0;
+}
+
+double Recorder::level_displacement(const std::vector<std::size_t>& blocks) const {
+  double moment = 0.0, mass = 0.0;
+  for (const std::size_t block : blocks) {
+    const double m = preparation_.model.mass[block];
+    moment += m * (trajectory.position(trajectory.times.size() - 1, block).x - trajectory.position(0, block).x);
+    mass += m;
+  }
+  return mass > 0.0 ? moment / mass - trajectory.ground_displacement.back().x : 0.0;
+}
+
+void Recorder::note_drift() {
+  double below = 0.0;
+  for (const structures::Storey& storey : preparation_.building.storeys) {
+    const double above = level_displacement(storey.level_blocks);
+    const double drift = (above - below) / storey.height;
+    if (std::abs(drift) > std::abs(peak_drift_)) peak_drift_ = drift;
+    below = above;
+  }
+}
+
+Progress Recorder::progress() const {
+  Progress p;
+  p.time = trajectory.times.back();
+  p.end_time = preparation_.duration;
+  p.peak_drift = peak_drift_;
+  p.energy_error = energy.relative_error;
+  return p;
+}
+
+}  // namespace dougong::app

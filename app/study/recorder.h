@@ -1,0 +1,34 @@
+// Writes down a run while it goes: poses, accelerations, reactions, energies, overlaps.
+#pragma once
+
+#include "app/study/execute.h"
+
+namespace dougong::app {
+
+class Recorder {
+ public:
+  explicit Recorder(const Preparation& preparation);
+
+  void note(const engine::Sample& sample);
+  Progress progress() const;
+  /// Greatest speed of a block relative to the ground at the last sample (m/s).
+  double greatest_speed() const { return greatest_speed_; }
+
+  structures::Trajectory trajectory;
+  EnergyHistory energy;
+  std::vector<double> overlap_ratio;
+
+ private:
+  void note_motion(const engine::Sample& sample);
+  void note_energy(const engine::State& state);
+  void note_drift();
+  double level_displacement(const std::vector<std::size_t>& blocks) const;
+
+  const Preparation& preparation_;
+  double first_balance_ = 0.0;  // J
+  double largest_error_ = 0.0;  // J
+  double peak_drift_ = 0.0;
+  double greatest_speed_ = 0.0;
+};
+
+}  // namespace dougong::app

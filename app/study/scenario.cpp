@@ -1,0 +1,256 @@
+#include "app/study/scenario.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+#include "app/study/scenario_entries.h"
+#include "app/study/scenario_keys.h"
+#include "app/study/scenario_values.h"
+#include "structures/nearest_name.h"
+
+namespace dougong::app {
+namespace {
+
+using structures::Layout;
+using structures::LayoutError;
+
+const std::string layout_prefix = "layout.";
+
+std::string leaf_of(const std::string& name) {
+  return name.substr(name.find('.') + 1);
+}
+
+/// The key that was probably meant; empty when none is near. In a section that exists, or without one,
+/// the last words are compared, for what they share in front says nothing; else the whole names.
+std::string nearest_key(const std::string& key, const std::vector<std::string>& known) {
+  const std::string section = key.substr(0, key.size() - leaf_of(key).size());
+  std::vector<std::string> names, leaves;
+  for (const std::string& name : known) {
+    if (!name.starts_with(section)) continue;
+    names.push_back(name);
+    leaves.push_back(leaf_of(name));
+  }
+  if (names.empty()) return structures::nearest_name(key, known);
+  const auto it = std::ranges::find(leaves, structures::nearest_name(leaf_of(key), leaves));
+  return it == leaves.end() ? "" : names[static_cast<std::size_t>(it - leaves.begin())];
+}
+
+/// Collects what is wrong while it makes a scenario from entries.
+class Reader {
+ public:
+  Reader(std::vector<Entry> entries, std::string source, RecordRule rule)
+      : entries_(std::move(entries)), source_(std::move(source)), rule_(rule) {}
+
+  Scenario read() {
+    choose_layout();
+    complete_typed_keys();
+    keep_last_of_each();
+    keep_one_of("record.file", "record.name");
+    keep_one_of("record.pga", "record.scale");
+    for (const Entry& entry : entries_) set(entry);
+    require_record();
+    complete_layout();
+    if (!errors_.empty()) throw ScenarioError(std::move(errors_));
+    return scenario_;
+  }
+
+ private:
+  void fail(const std::string& where, const std::string& message) { errors_.push_back({where, message}); }
+
+  // --- which key is meant ------------------------------------------------------------------------
+
+  /// The parameters that are keys depend on the layout, so its name comes first.
+  void choose_layout() {
+    for (const Entry& entry : entries_) {
+      if (entry.key != "layout.name" && !(entry.typed && entry.key == "layout")) continue;
+      if (const auto* name = std::get_if<std::string>(&entry.value)) scenario_.layout.name = *name;
+    }
+    const auto known = structures::layouts();
+    const auto it = std::ranges::find(known, scenario_.layout.name, &Layout::name);
+    layout_ = it == known.end() ? nullptr : &*it;
+  }
+
+  std::vector<std::string> known_keys() const {
+    std::vector<std::string> names;
+    for (const ScenarioKey& key : scenario_keys()) names.push_back(key.name);
+    if (layout_)
+      for (const auto& parameter : layout_->parameters) names.push_back(layout_prefix + parameter.name);
+    return names;
+  }
+
+  /// A key of the command line may be the last word of a key, and have - for _.
+  void complete_typed_keys() {
+    const std::vector<std::string> known = known_keys();
+    std::erase_if(entries_, [&](Entry& entry) { return entry.typed && !complete(entry, known); });
+  }
+
+  /// Also says what is wrong; false then.
+  bool complete(Entry& entry, const std::vector<std::string>& known) {
+    std::ranges::replace(entry.key, '-', '_');
+    if (entry.key.find('.') != std::string::npos) return true;
+    // A section alone stands for the key that names its choice.
+    if (entry.key == "layout" || entry.key == "record") entry.key += ".name";
+    if (entry.key == "output") entry.key += ".directory";
+    if (entry.key.find('.') != std::string::npos) return true;
+    std::vector<std::string> meant;
+    for (const std::string& name : known)
+      if (leaf_of(name) == entry.key) meant.push_back(name);
+    if (meant.size() == 1) {
+      entry.key = meant.front();
+      return true;
+    }
+    if (meant.empty())
+      fail(entry.key_where, unknown_key(entry.key, known));
+    else
+      fail(entry.key_where,
+           fmt::format("\"{}\" may be {}; write it in full", entry.key, fmt::join(meant, " or ")));
+    return false;
+  }
+
+  std::string unknown_key(const std::string& key, const std::vector<std::string>& known) const {
+    const std::string nearest = nearest_key(key, known);
+    if (!nearest.empty()) return fmt::format("unknown key \"{}\"; did you mean \"{}\"?", key, nearest);
+    if (!key.starts_with(layout_prefix) || !layout_) return fmt::format("unknown key \"{}\"", key);
+    std::vector<std::string> names;
+    for (const auto& parameter : layout_->parameters) names.push_back(parameter.name);
+    return fmt::format("unknown key \"{}\"; layout {} has {}", key, layout_->name, fmt::join(names, ", "));
+  }
+
+  // --- which of several values counts -------------------------------------------------------------
+
+  void keep_last_of_each() {
+    std::vector<Entry> kept;
+    for (Entry& entry : entries_) {
+      std::erase_if(kept, [&](const Entry& earlier) { return earlier.key == entry.key; });
+      kept.push_back(std::move(entry));
+    }
+    entries_ = std::move(kept);
+  }
+
+  const Entry* find_entry(const std::string& key) const {
+    const auto it = std::ranges::find(entries_, key, &Entry::key);
+    return it == entries_.end() ? nullptr : &*it;
+  }
+
+  void keep_one_of(const std::string& first, const std::string& second) {
+    const Entry *a = find_entry(first), *b = find_entry(second);
+    if (!a || !b || !is_set(*a) || !is_set(*b)) return;
+    if (a->typed == b->typed) {
+      fail(b->where,
+           fmt::format("{} and {} exclude each other; the other is set at {}", second, first, a->where));
+      return;
+    }
+    const std::string weaker = a->typed ? second : first;
+    std::erase_if(entries_, [&](const Entry& entry) { return entry.key == weaker; });
+  }
+
+  // --- what the value is --------------------------------------------------------------------------
+
+  void set(const Entry& entry) {
+    try {
+      if (const ScenarioKey* key = find_key(entry.key)) return set_key(*key, entry, scenario_);
+      if (entry.key.starts_with(layout_prefix)) {
+        if (!layout_) return;  // the unknown layout is reported; its parameters cannot be judged
+        if (const auto* parameter = layout_->parameter(leaf_of(entry.key)))
+          return set_parameter(*parameter, entry);
+      }
+      fail(entry.key_where, unknown_key(entry.key, known_keys()));
+    } catch (const LayoutError& error) {
+      fail(entry.where, error.what());
+    } catch (const QuantityError& error) {
+      fail(entry.where, fmt::format("{}: {}", entry.key, error.what()));
+    }
+  }
+
+  /// The layout judges the value itself.
+  void set_parameter(const structures::Parameter& parameter, const Entry& entry) {
+    const double value = number_of(entry, parameter.dimension);
+    structures::complete_parameters(*layout_, {{parameter.name, value}});
+    scenario_.layout.parameters[parameter.name] = value;
+  }
+
+  // --- what belongs together ----------------------------------------------------------------------
+
+  /// Judged by what was written, so that a key with a mistake is not reported twice.
+  void require_record() {
+    const Entry *file = find_entry("record.file"), *name = find_entry("record.name");
+    if (rule_ == RecordRule::optional || (file && is_set(*file)) || (name && is_set(*name))) return;
+    fail(source_, "no record: give record.file (a path) or record.name (of the catalogue)");
+  }
+
+  /// Builds it once: only the layout knows which values do not fit each other.
+  void complete_layout() {
+    try {
+      structures::find_layout(scenario_.layout.name);
+      if (!errors_.empty()) return;
+      structures::build_layout(scenario_.layout.name, scenario_.layout.parameters);
+      scenario_.layout.parameters =
+          structures::complete_parameters(*layout_, scenario_.layout.parameters).all();
+    } catch (const LayoutError& error) {
+      fail(place_of(error.subject), error.what());
+    }
+  }
+
+  std::string place_of(const std::string& subject) const {
+    if (const Entry* entry = find_entry(layout_prefix + subject)) return entry->where;
+    if (const Entry* entry = find_entry("layout.name")) return entry->where;
+    return source_;
+  }
+
+  std::vector<Entry> entries_;
+  std::string source_;
+  RecordRule rule_;
+  const Layout* layout_ = nullptr;
+  Scenario scenario_;
+  std::vector<LocatedMessage> errors_;
+};
+
+Scenario read_entries(std::vector<Entry> entries, const std::string& source,
+                      const std::vector<Override>& overrides, RecordRule rule) {
+  for (const Override& change : overrides) entries.push_back(entry_of_override(change));
+  return Reader(std::move(entries), source, rule).read();
+}
+
+}  // namespace
+
+ScenarioError::ScenarioError(std::vector<LocatedMessage> messages) : messages_(std::move(messages)) {
+  for (const LocatedMessage& message : messages_) {
+    if (!text_.empty()) text_ += '\n';
+    text_ += message.text();
+  }
+}
+
+Override parse_override(const std::string& text, const std::string& origin) {
+  const auto equals = text.find('=');
+  if (equals == std::string::npos || equals == 0)
+    throw ScenarioError({{fmt::format("{} {}", origin, text), "expected key=value"}});
+  const auto trim = [](std::string part) {
+    part.erase(0, part.find_first_not_of(' '));
+    part.erase(part.find_last_not_of(' ') + 1);
+    return part;
+  };
+  return {trim(text.substr(0, equals)), trim(text.substr(equals + 1)), origin};
+}
+
+Scenario read_scenario(const std::string& text, const std::string& source,
+                       const std::vector<Override>& overrides, RecordRule rule) {
+  return read_entries(entries_of_toml(text, source), source, overrides, rule);
+}
+
+Scenario load_scenario(const std::filesystem::path& path, const std::vector<Override>& overrides,
+                       RecordRule rule) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  if (!file || !(text << file.rdbuf()))
+    throw ScenarioError({{path.string(), "expected a scenario file, found nothing that can be read"}});
+  return read_scenario(text.str(), path.string(), overrides, rule);
+}
+
+Scenario scenario_from(const std::vector<Override>& overrides, RecordRule rule) {
+  return read_entries({}, "command line", overrides, rule);
+}
+
+}  // namespace dougong::app

@@ -1,0 +1,123 @@
+// A scenario: everything one run is asked for, as plain data. SI units and radians inside.
+//
+// It is read from TOML, where every value with a dimension is text with its unit ("0.4 g"; a bare number
+// is an error), and from overrides "key=value" of the command line. One table (scenario_keys.h) says
+// which keys there are; docs/scenario.md lists them. All errors are collected and thrown together.
+#pragma once
+
+#include <exception>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "structures/layouts/layout.h"
+#include "structures/response.h"
+#include "structures/verdict.h"
+
+namespace dougong::app {
+
+struct LayoutChoice {
+  std::string name = "four-storey";
+  /// By name, SI. Complete once read: what was not given holds the layout's default.
+  structures::ParameterMap parameters;
+  friend bool operator==(const LayoutChoice&, const LayoutChoice&) = default;
+};
+
+struct RecordChoice {
+  std::string file;                // path, or empty
+  std::string name;                // in the catalogue, or empty
+  std::string component;           // that drives the horizontal axis; empty: the file's own
+  bool vertical = false;           // the vertical component drives the ground too
+  std::string format;              // empty: found from the content
+  std::string units;               // of the values, for files that do not say
+  std::optional<double> interval;  // s between samples, for files that do not say
+  std::string count_scale;         // gal per count, "3920/6182761", for files in counts that do not say
+  std::optional<double> pga;       // m/s2, that the horizontal component is scaled to
+  std::optional<double> scale;     // -, instead of pga
+};
+
+struct Conditioning {
+  std::string offset = "mean";            // mean, pre-event, keep
+  std::string baseline = "none";          // none, acceleration-line, velocity-parabola
+  double taper = 0.05;                    // of the record's duration, at each end
+  std::optional<double> pad;              // s of zeros at each end; unset: what the filter needs
+  std::optional<double> high_pass = 0.1;  // Hz
+  bool filter = true;
+  std::optional<double> low_pass;  // Hz; unset: 25, or none where the record has nothing above it
+  double filter_order = 4;
+  std::optional<double> interval;  // s, to resample to; unset: the record's own
+  std::string resample = "fft";    // fft, linear
+};
+
+struct SolveChoice {
+  std::string integrator = "velocity-verlet";
+  double step_fraction = 0.5;      // of the stability bound
+  std::optional<double> step;      // s, instead of the fraction
+  std::optional<double> duration;  // s; unset: the motion and free_vibration
+  double free_vibration = 5.0;     // s, after the motion
+  bool settle = true;              // under gravity, before the motion
+};
+
+struct OutputChoice {
+  double rate = 100.0;  // Hz
+  std::string directory = "dougong-out";
+};
+
+struct Scenario {
+  LayoutChoice layout;
+  RecordChoice record;
+  Conditioning conditioning;
+  SolveChoice solve;
+  structures::LossCriteria loss;
+  structures::VerdictCriteria verdict;
+  OutputChoice output;
+};
+
+/// One key=value of the command line. The key may be dotted ("record.pga"), or its last word alone where
+/// that is unambiguous ("pga", "storeys"), with - for _; the value is text as typed.
+struct Override {
+  std::string key;
+  std::string value;
+  std::string origin = "--set";  // how messages call it
+};
+
+/// Splits "key=value". Throws ScenarioError without an equals sign.
+Override parse_override(const std::string& text, const std::string& origin = "--set");
+
+struct LocatedMessage {
+  std::string where;  // "study.toml:12:7", "--set storeys=six"
+  std::string message;
+  std::string text() const { return where + ": " + message; }
+};
+
+class ScenarioError : public std::exception {
+ public:
+  explicit ScenarioError(std::vector<LocatedMessage> messages);
+  const std::vector<LocatedMessage>& messages() const { return messages_; }
+  /// All messages, one a line.
+  const char* what() const noexcept override { return text_.c_str(); }
+
+ private:
+  std::vector<LocatedMessage> messages_;
+  std::string text_;
+};
+
+enum class RecordRule { required, optional };
+
+/// Overrides win over the text; of two that exclude each other the overriding one stays. Throws
+/// ScenarioError.
+Scenario read_scenario(const std::string& text, const std::string& source,
+                       const std::vector<Override>& overrides = {}, RecordRule rule = RecordRule::required);
+Scenario load_scenario(const std::filesystem::path& path, const std::vector<Override>& overrides = {},
+                       RecordRule rule = RecordRule::required);
+/// Without a file: the defaults and the overrides.
+Scenario scenario_from(const std::vector<Override>& overrides, RecordRule rule = RecordRule::required);
+
+enum class Comments { none, meanings };
+
+/// The complete scenario, defaults included. Reading it gives the same scenario. Throws LayoutError for
+/// a layout or parameters that do not exist.
+std::string to_toml(const Scenario& scenario, Comments comments = Comments::none);
+
+}  // namespace dougong::app

@@ -1,0 +1,198 @@
+#include "app/study/scenario_keys.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "engine/integrators/table.h"
+
+namespace dougong::app {
+namespace {
+
+using enum Dimension;
+
+constexpr double endless = std::numeric_limits<double>::infinity();
+constexpr double tiny = 1e-9;  // least of what must be above zero
+constexpr double half_turn = std::numbers::pi;
+
+template <std::size_t... I>
+std::vector<std::string> integrator_names(std::index_sequence<I...>) {
+  return {std::string(std::variant_alternative_t<I, engine::AnyIntegrator>::traits.name)...};
+}
+
+std::vector<std::string> integrator_names() {
+  return integrator_names(std::make_index_sequence<std::variant_size_v<engine::AnyIntegrator>>{});
+}
+
+template <auto Section, auto Member>
+Slot slot(Scenario& scenario) {
+  return &(scenario.*Section.*Member);
+}
+
+using S = Scenario;
+using R = RecordChoice;
+using C = Conditioning;
+using V = SolveChoice;
+using O = OutputChoice;
+using L = structures::LossCriteria;
+using J = structures::VerdictCriteria;
+
+ScenarioKey text(const char* name, Slot (*slot)(S&), const char* meaning,
+                 std::vector<std::string> choices = {}) {
+  ScenarioKey key{.name = name, .slot = slot, .meaning = meaning, .choices = {}};
+  key.choices = std::move(choices);
+  return key;
+}
+
+ScenarioKey flag(const char* name, Slot (*slot)(S&), const char* meaning) {
+  return {.name = name, .slot = slot, .meaning = meaning, .choices = {}};
+}
+
+ScenarioKey number(const char* name, Slot (*slot)(S&), Dimension dimension, double least, double most,
+                   const char* meaning) {
+  return {name, slot, meaning, dimension, least, most, {}};
+}
+
+std::vector<ScenarioKey> make_table() {
+  return {
+      text("layout.name", slot<&S::layout, &LayoutChoice::name>,
+           "the building; the layout's own parameters are keys of this section too (docs/layouts.md)"),
+
+      text("record.file", slot<&S::record, &R::file>, "an accelerogram, by its path; or give record.name"),
+      text("record.name", slot<&S::record, &R::name>, "a record of the catalogue; or give record.file"),
+      text("record.component", slot<&S::record, &R::component>,
+           "the component that drives the ground to the side; empty: that of the file"),
+      flag("record.vertical", slot<&S::record, &R::vertical>, "the vertical component drives the ground too"),
+      text("record.format", slot<&S::record, &R::format>,
+           "id of the file's format; empty: found from its content"),
+      text("record.units", slot<&S::record, &R::units>,
+           "unit of the values (g, gal, cm/s2, m/s2, mm/s2, counts), for a file that does not say"),
+      number("record.interval", slot<&S::record, &R::interval>, time, tiny, 10,
+             "time between samples, for a file that does not say"),
+      text("record.count_scale", slot<&S::record, &R::count_scale>,
+           "gal per count as K-NET writes it, 3920/6182761, for a file in counts that does not say"),
+      number("record.pga", slot<&S::record, &R::pga>, acceleration, tiny, 1e3,
+             "peak ground acceleration that the horizontal component is scaled to; none: as recorded"),
+      number("record.scale", slot<&S::record, &R::scale>, ratio, -1e6, 1e6,
+             "factor on the record, instead of record.pga"),
+
+      text("conditioning.offset", slot<&S::conditioning, &C::offset>,
+           "constant taken off the samples: of the whole record, of its first five seconds, or none",
+           {"mean", "pre-event", "keep"}),
+      text("conditioning.baseline", slot<&S::conditioning, &C::baseline>, "what is fitted and taken off",
+           {"none", "acceleration-line", "velocity-parabola"}),
+      number("conditioning.taper", slot<&S::conditioning, &C::taper>, ratio, 0, 0.5,
+             "length of the cosine taper at each end, as a part of the duration"),
+      number("conditioning.pad", slot<&S::conditioning, &C::pad>, time, 0, 1e4,
+             "zeros added at each end; none: what the filter needs"),
+      flag("conditioning.filter", slot<&S::conditioning, &C::filter>, "Butterworth band-pass without phase shift"),
+      number("conditioning.high_pass", slot<&S::conditioning, &C::high_pass>, frequency, tiny, 1e3,
+             "lower corner of the filter; none: no lower corner"),
+      number("conditioning.low_pass", slot<&S::conditioning, &C::low_pass>, frequency, tiny, 1e3,
+             "upper corner of the filter; none: 25 Hz, or no upper corner for a record that its publisher "
+             "filtered or whose samples end below 28 Hz"),
+      number("conditioning.filter_order", slot<&S::conditioning, &C::filter_order>, count, 2, 12,
+             "order of the Butterworth filter, even; it runs forward and backward"),
+      number("conditioning.interval", slot<&S::conditioning, &C::interval>, time, 1e-6, 1,
+             "time between samples after resampling; none: the record's own"),
+      text("conditioning.resample", slot<&S::conditioning, &C::resample>, "how it is resampled",
+           {"fft", "linear"}),
+
+      text("solve.integrator", slot<&S::solve, &V::integrator>, "how the motion is integrated",
+           integrator_names()),
+      number("solve.step_fraction", slot<&S::solve, &V::step_fraction>, ratio, 1e-4, 0.999,
+             "time step as a part of the stability bound"),
+      number("solve.step", slot<&S::solve, &V::step>, time, 1e-12, 1,
+             "time step, instead of solve.step_fraction"),
+      number("solve.duration", slot<&S::solve, &V::duration>, time, tiny, 1e5,
+             "simulated time; none: the motion and solve.free_vibration"),
+      number("solve.free_vibration", slot<&S::solve, &V::free_vibration>, time, 0, 1e4,
+             "time after the motion, in which the building comes to rest"),
+      flag("solve.settle", slot<&S::solve, &V::settle>, "settle under gravity before the motion"),
+
+      number("loss.drop_of_width", slot<&S::loss, &L::drop_of_width>, ratio, 0, 1e3,
+             "a block has fallen when it is down by more than this part of its least width"),
+      number("loss.least_drop_of_storey", slot<&S::loss, &L::least_drop_of_storey>, ratio, 0, 1e3,
+             "but not by less than this part of the storey height"),
+      number("loss.most_drop_of_storey", slot<&S::loss, &L::most_drop_of_storey>, ratio, 0, 1e3,
+             "nor is more than this part of the storey height needed"),
+      number("loss.turn", slot<&S::loss, &L::turn>, angle, 0, 100 * half_turn,
+             "a block is lost when it has turned by more than this"),
+      number("loss.slide_of_length", slot<&S::loss, &L::slide_of_length>, ratio, 0, 1e3,
+             "or moved past its storey's blocks by more than this part of its own length"),
+      number("loss.level_mass", slot<&S::loss, &L::level_mass>, ratio, 0, 1,
+             "a storey is lost with more than this part of its level's mass"),
+
+      number("verdict.energy_error", slot<&S::verdict, &J::energy_error>, ratio, 0, endless,
+             "numerically invalid above this energy error, over the energy input"),
+      number("verdict.overlap", slot<&S::verdict, &J::overlap>, ratio, 0, endless,
+             "numerically invalid above this overlap, over the smaller block's least width"),
+      number("verdict.fallen_mass", slot<&S::verdict, &J::fallen_mass>, ratio, 0, 1,
+             "collapsed when more than this part of the mass fell"),
+      number("verdict.speed_at_end", slot<&S::verdict, &J::speed_at_end>, speed, 0, endless,
+             "undecided when a block moves faster at the end"),
+      number("verdict.lean", slot<&S::verdict, &J::lean>, ratio, 0, endless,
+             "undecided when a block leans by more than this part of its own toppling angle"),
+      number("verdict.drift_growth", slot<&S::verdict, &J::drift_growth>, ratio, 0, endless,
+             "undecided when a drift grows by more than this in the last second"),
+
+      number("output.rate", slot<&S::output, &O::rate>, frequency, 0.01, 1e6, "output times a second"),
+      text("output.directory", slot<&S::output, &O::directory>, "where the results are written"),
+  };
+}
+
+}  // namespace
+
+std::span<const ScenarioKey> scenario_keys() {
+  static const std::vector<ScenarioKey> table = make_table();
+  return table;
+}
+
+const ScenarioKey* find_key(const std::string& name) {
+  const auto it = std::ranges::find(scenario_keys(), name, &ScenarioKey::name);
+  return it == scenario_keys().end() ? nullptr : &*it;
+}
+
+std::string kind_of(const ScenarioKey& key) {
+  Scenario scenario;
+  const Slot slot = key.slot(scenario);
+  if (std::holds_alternative<bool*>(slot)) return "true or false";
+  if (std::holds_alternative<std::string*>(slot))
+    return key.choices.empty() ? "text" : fmt::format("one of {}", fmt::join(key.choices, ", "));
+  const std::string kind = key.dimension == count ? "whole number" : std::string(name_of(key.dimension));
+  return std::holds_alternative<double*>(slot) ? kind : kind + " or none";
+}
+
+std::string toml_number(double value, Dimension dimension) {
+  const std::string text = print_quantity(value, dimension);
+  return has_unit(dimension) ? toml_text(text) : text;
+}
+
+std::string toml_text(const std::string& text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') quoted += '\\';
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
+      quoted += fmt::format("\\u{:04X}", static_cast<unsigned>(c));
+    else
+      quoted += c;
+  }
+  return quoted + "\"";
+}
+
+std::string toml_value(const ScenarioKey& key, const Scenario& scenario) {
+  Scenario copy = scenario;  // slots are for writing too
+  const Slot slot = key.slot(copy);
+  if (const auto* text = std::get_if<std::string*>(&slot)) return toml_text(**text);
+  if (const auto* flag = std::get_if<bool*>(&slot)) return **flag ? "true" : "false";
+  if (const auto* number = std::get_if<double*>(&slot)) return toml_number(**number, key.dimension);
+  const std::optional<double>& maybe = *std::get<std::optional<double>*>(slot);
+  return maybe ? toml_number(*maybe, key.dimension) : toml_text("none");
+}
+
+std::string default_of(const ScenarioKey& key) {
+  return toml_value(key, Scenario{});
+}
+
+}  // namespace dougong::app

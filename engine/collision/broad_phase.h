@@ -1,0 +1,22 @@
+// Broad phase: which pairs can meet while nothing moves further than half the skin.
+//
+// Two sieves for every candidate: bounding circles, then axis-aligned boxes, both grown by the skin.
+// Candidates come from a uniform grid filled by a counting sort; shapes larger than a cell (a ground, a
+// long slab) are tested against everything. Pairs of two terrains are never made.
+#pragma once
+
+#include <vector>
+
+#include "engine/frame.h"
+
+namespace dougong::engine {
+
+struct BodyPair {
+  Index a = 0, b = 0;  // a < b
+  friend auto operator<=>(const BodyPair&, const BodyPair&) = default;
+};
+
+/// Sorted pairs whose shapes are within `skin` of each other (and some that are not quite).
+std::vector<BodyPair> find_pairs(const Model& model, std::span<const Frame> frames, double skin);
+
+}  // namespace dougong::engine

@@ -1,0 +1,74 @@
+// The contact points of a scene as arrays, and the kernel that turns poses into forces.
+//
+// A point is a corner of one body against an edge of another (contact/manifold.h):
+//     gap  g = n . (p - e) - rho          n, e turn and move with the edge's body, rho rounding
+//     slip s = t . (p - e) - rho (theta_corner - theta_edge) - anchor,   t = n turned by 90 degrees
+// Both are functions of the poses alone: the elastic forces have a potential, whatever the integrator.
+// Round contacts (along a line of centres) keep the direction and the angles of the last committed step
+// and add the slip since then.
+#pragma once
+
+#include <array>
+
+#include "engine/collision/manifold.h"
+#include "engine/contact/law.h"
+
+namespace dougong::engine {
+
+/// What a point remembers: where its friction spring is relaxed.
+struct PointHistory {
+  double anchor = 0.0;  // m
+  // Round contacts only: direction of the line of centres and angles when anchor was committed.
+  Vec2 direction{0.0, 1.0};
+  double angle_corner = 0.0, angle_edge = 0.0;  // rad
+};
+
+/// Forces of one point on its two bodies; torques about their centroids.
+struct PointLoad {
+  double fx = 0.0, fy = 0.0;                        // N, on the corner's body; the edge's gets the opposite
+  double torque_corner = 0.0, torque_edge = 0.0;    // N m
+};
+
+/// Sums over the points.
+struct ContactTotals {
+  double damping_power = 0.0;     // W, taken by the dashpots
+  double tangential_power = 0.0;  // W, taken by the tangential forces less their dashpots
+  double deepest_ratio = 0.0;     // overlap over the smaller body's minimum width
+  std::size_t deepest_point = 0;
+};
+
+struct ContactPoints {
+  std::vector<FeatureKind> kind;
+  std::vector<Index> corner_body, edge_body;
+  std::vector<Vec2> corner, edge_point, edge_normal;
+  std::vector<double> radius, other_radius;
+  std::vector<PointStiffness> stiffness;
+  std::vector<double> inverse_width;  // 1/m
+  std::vector<PointHistory> history;
+
+  std::size_t size() const { return kind.size(); }
+  void resize(std::size_t n);
+  void set(std::size_t i, const Feature& feature, const PointStiffness& law, double width);
+};
+
+/// Geometry of one point at given poses.
+struct PointGeometry {
+  Vec2 normal;          // -, from the edge's body to the corner's
+  Vec2 arm_corner;      // m, from the corner body's centroid to the contact point
+  Vec2 arm_edge;        // m
+  double overlap = 0.0; // m, > 0 when touching
+  double slip = 0.0;    // m, from the anchor
+};
+PointGeometry geometry_of(const ContactPoints& points, std::size_t i, std::span<const Frame> frames);
+
+/// Forces of all points. With `commit`, the poses are those of an accepted step: anchors follow
+/// Coulomb's return, and totals.deepest_ratio is found.
+ContactTotals contact_forces(ContactPoints& points, std::span<const Frame> frames, bool commit,
+                             std::span<PointLoad> loads);
+
+struct StoredEnergy {
+  double normal = 0.0, tangential = 0.0;  // J
+};
+StoredEnergy stored_energy(const ContactPoints& points, std::span<const Frame> frames);
+
+}  // namespace dougong::engine

@@ -1,0 +1,264 @@
+#include "engine/contact/contact_set.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/contact/stiffness.h"
+
+namespace dougong::engine {
+namespace {
+
+// Margin of a pair over the smaller body's minimum width: manifolds are looked for this far apart.
+constexpr double margin_ratio = 0.02;
+// Relative motion that calls for a new manifold, over the margin.
+constexpr double refresh_ratio = 0.3;
+// Skin of the broad phase over the median minimum width.
+constexpr double skin_ratio = 0.25;
+constexpr std::size_t longest_wait = 16;  // steps
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+struct SeenPose {
+  Vec2 position;
+  double angle;
+};
+
+// The smaller body's pose in the larger one's frame: its own radius bounds how far a turn carries its rim.
+SeenPose seen_pose(const Model& model, std::span<const Frame> frames, BodyPair p) {
+  const bool a_larger = model.bounding_radius[p.a] >= model.bounding_radius[p.b];
+  const Frame &large = frames[a_larger ? p.a : p.b], &small = frames[a_larger ? p.b : p.a];
+  return {large.to_local(small.position()), small.angle - large.angle};
+}
+
+bool has_moved(const Model& model, const ContactPair& pair, const SeenPose& now) {
+  const Vec2 d = now.position - pair.seen_position;
+  const double radius = std::min(model.bounding_radius[pair.bodies.a], model.bounding_radius[pair.bodies.b]);
+  const double motion = std::abs(d.x) + std::abs(d.y) + radius * std::abs(now.angle - pair.seen_angle);
+  return motion > refresh_ratio * pair.margin;
+}
+
+// What the scene's moving ground carries along does not count as motion.
+Vec2 common_position(const Model& model, std::span<const Frame> frames) {
+  for (std::size_t j = 0; j < model.terrain_count; ++j)
+    if (model.motions[j]) return frames[model.body_count + j].position();
+  return {};
+}
+
+Vec2 common_velocity(const Model& model, std::span<const Frame> frames) {
+  for (std::size_t j = 0; j < model.terrain_count; ++j)
+    if (model.motions[j]) return frames[model.body_count + j].velocity();
+  return {};
+}
+
+bool same_features(const Manifold& a, const Manifold& b) {
+  if (a.count != b.count) return false;
+  for (Index i = 0; i < a.count; ++i)
+    if (a.features[i].identity != b.features[i].identity) return false;
+  return true;
+}
+
+// The spring starts relaxed, or with the slip that another feature hands over.
+PointHistory history_with_slip(const ContactPoints& points, std::size_t i, std::span<const Frame> frames, double slip) {
+  const Frame &corner = frames[points.corner_body[i]], &edge = frames[points.edge_body[i]];
+  const PointGeometry g = geometry_of(points, i, frames);
+  if (points.kind[i] == FeatureKind::round) return {-slip, g.normal, corner.angle, edge.angle};
+  return {points.history[i].anchor + g.slip - slip, {0.0, 1.0}, 0.0, 0.0};
+}
+
+}  // namespace
+
+ContactSet::ContactSet(const Model& model) {
+  if (model.body_count == 0) return;
+  skin_ = skin_ratio * median({model.minimum_width.begin(),
+                               model.minimum_width.begin() + static_cast<std::ptrdiff_t>(model.body_count)});
+  smallest_margin_ = margin_ratio * *std::min_element(model.minimum_width.begin(), model.minimum_width.end());
+  skin_ = std::max(skin_, 4.0 * smallest_margin_);
+}
+
+bool ContactSet::moved_beyond_skin(const Model& model, std::span<const Frame> frames) const {
+  if (skin_position_.size() != model.size()) return true;
+  const Vec2 common = common_position(model, frames);
+  for (std::size_t i = 0; i < model.size(); ++i) {
+    const Vec2 d = frames[i].position() - common - skin_position_[i];
+    const double turn = model.bounding_radius[i] * std::abs(frames[i].angle - skin_angle_[i]);
+    // A quarter of the skin: the other half of the half is for the steps until the next look.
+    if (std::abs(d.x) + std::abs(d.y) + turn > 0.25 * skin_) return true;
+  }
+  return false;
+}
+
+void ContactSet::rebuild_pairs(const Model& model, std::span<const Frame> frames) {
+  std::vector<ContactPair> pairs;
+  auto old = pairs_.begin();
+  for (const BodyPair bodies : find_pairs(model, frames, skin_)) {
+    while (old != pairs_.end() && old->bodies < bodies) ++old;
+    if (old != pairs_.end() && old->bodies == bodies) {
+      pairs.push_back(*old);
+      continue;
+    }
+    ContactPair pair;
+    pair.bodies = bodies;
+    pair.margin = margin_ratio * std::min(model.minimum_width[bodies.a], model.minimum_width[bodies.b]);
+    pair.seen_angle = std::numeric_limits<double>::infinity();  // never seen: has moved
+    pairs.push_back(pair);
+  }
+  pairs_ = std::move(pairs);
+  const Vec2 common = common_position(model, frames);
+  skin_position_.resize(model.size()), skin_angle_.resize(model.size());
+  for (std::size_t i = 0; i < model.size(); ++i) {
+    skin_position_[i] = frames[i].position() - common;
+    skin_angle_[i] = frames[i].angle;
+  }
+}
+
+void ContactSet::write_points(const Model& model, std::span<const Frame> frames, ContactPair& pair,
+                              const Manifold& old, std::span<const PointHistory> old_history) {
+  const auto [a, b] = pair.bodies;
+  const double width = std::min(model.minimum_width[a], model.minimum_width[b]);
+  for (Index k = 0; k < 2; ++k) {
+    const std::size_t i = pair.first_point + k;
+    if (k >= pair.manifold.count) {  // an empty slot: no stiffness, no force
+      points.set(i, {FeatureKind::corner_edge, a, b, {}, {}, {0.0, 1.0}, 0.0, 0.0, 0}, {}, width);
+      points.history[i] = {};
+      continue;
+    }
+    const Feature& feature = pair.manifold.features[k];
+    points.set(i, feature, point_stiffness(model, frames, pair.manifold, feature, a, b), width);
+    bool kept = false;
+    for (Index l = 0; l < old.count && !kept; ++l)
+      if (old.features[l].identity == feature.identity) points.history[i] = old_history[l], kept = true;
+    if (!kept) {
+      points.history[i] = {};
+      points.history[i] = history_with_slip(points, i, frames, 0.0);
+    }
+  }
+}
+
+bool ContactSet::refresh(const Model& model, std::span<const Frame> frames, ContactPair& pair,
+                         bool& activity_changed) {
+  const auto [a, b] = pair.bodies;
+  const Manifold old = pair.manifold;
+  pair.manifold = find_manifold(model, frames, a, b, pair.margin, old);
+  const bool active = pair.manifold.count > 0;
+  if (active != pair.active) {
+    activity_changed = true;
+    return true;
+  }
+  if (!active) return false;
+
+  // End k of the contact may have passed from one corner to another at the same place.
+  std::array<PointHistory, 2> history{points.history[pair.first_point], points.history[pair.first_point + 1]};
+  std::array<double, 2> slip{};
+  for (Index k = 0; k < old.count; ++k) slip[k] = geometry_of(points, pair.first_point + k, frames).slip;
+  const auto place = [&](Index k) {
+    return frames[points.edge_body[pair.first_point + k]].position() +
+           geometry_of(points, pair.first_point + k, frames).arm_edge;
+  };
+  const std::array<Vec2, 2> old_place{place(0), place(old.count > 1 ? 1 : 0)};
+  write_points(model, frames, pair, old, history);
+  if (same_features(old, pair.manifold)) return false;
+  for (Index k = 0; k < std::min(old.count, pair.manifold.count); ++k) {
+    const auto identity = pair.manifold.features[k].identity;
+    if (identity == old.features[0].identity || (old.count > 1 && identity == old.features[1].identity)) continue;
+    if (norm(place(k) - old_place[k]) > 2.0 * pair.margin) continue;
+    // Corner and edge may have changed sides: both the tangent and the motion turn round, so slip stays.
+    points.history[pair.first_point + k] = history_with_slip(points, pair.first_point + k, frames, slip[k]);
+  }
+  return true;
+}
+
+// Gives every active pair two slots, keeping the history of those that had them.
+void ContactSet::lay_out_points(const Model& model, std::span<const Frame> frames) {
+  const ContactPoints old = std::move(points);
+  points = {};
+  std::size_t count = 0;
+  for (const ContactPair& pair : pairs_) count += pair.manifold.count > 0 ? 2 : 0;
+  points.resize(count);
+  Index next = 0;
+  for (ContactPair& pair : pairs_) {
+    const bool was_active = pair.active;
+    pair.active = pair.manifold.count > 0;
+    if (!pair.active) continue;
+    const Index old_first = pair.first_point;
+    pair.first_point = next;
+    next += 2;
+    if (was_active) {
+      const std::array<PointHistory, 2> history{old.history[old_first], old.history[old_first + 1]};
+      write_points(model, frames, pair, pair.manifold, history);
+    } else {
+      write_points(model, frames, pair, {}, {});
+    }
+  }
+  index_bodies(model.size());
+}
+
+void ContactSet::index_bodies(std::size_t bodies) {
+  first_.assign(bodies + 1, 0);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    ++first_[points.corner_body[i] + 1];
+    ++first_[points.edge_body[i] + 1];
+  }
+  for (std::size_t k = 1; k < first_.size(); ++k) first_[k] += first_[k - 1];
+  std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+  touches_.resize(2 * points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    touches_[next[points.corner_body[i]]++] = static_cast<std::uint32_t>(2 * i);
+    touches_[next[points.edge_body[i]]++] = static_cast<std::uint32_t>(2 * i + 1);
+  }
+}
+
+bool ContactSet::update(const Model& model, std::span<const Frame> frames) {
+  if (model.body_count == 0) return false;
+  bool activity_changed = false, changed = false;
+  if (moved_beyond_skin(model, frames)) {
+    const std::size_t before = points.size();
+    rebuild_pairs(model, frames);
+    std::size_t kept = 0;
+    for (const ContactPair& pair : pairs_) kept += pair.active ? 2 : 0;
+    activity_changed = kept != before;
+  }
+  for (ContactPair& pair : pairs_) {
+    const SeenPose now = seen_pose(model, frames, pair.bodies);
+    if (!has_moved(model, pair, now)) continue;
+    pair.seen_position = now.position, pair.seen_angle = now.angle;
+    changed |= refresh(model, frames, pair, activity_changed);
+  }
+  if (activity_changed) lay_out_points(model, frames);
+  else if (changed) index_bodies(model.size());
+  return changed || activity_changed;
+}
+
+std::size_t ContactSet::steps_until_update(const Model& model, std::span<const Frame> frames, double h) const {
+  const Vec2 common = common_velocity(model, frames);
+  double fastest = 0.0;
+  for (std::size_t i = 0; i < model.size(); ++i) {
+    const Vec2 v = frames[i].velocity() - common;
+    fastest = std::max(fastest, std::abs(v.x) + std::abs(v.y) + model.bounding_radius[i] * std::abs(frames[i].spin));
+  }
+  const double allowed = 0.5 * refresh_ratio * smallest_margin_;
+  const double per_step = 2.0 * fastest * h;
+  if (per_step * static_cast<double>(longest_wait) <= allowed) return longest_wait;
+  return std::max<std::size_t>(1, static_cast<std::size_t>(allowed / per_step));
+}
+
+void ContactSet::gather(std::span<const PointLoad> loads, std::span<Vec2> forces, std::span<double> torques) const {
+  for (std::size_t body = 0; body + 1 < first_.size(); ++body) {
+    double fx = 0.0, fy = 0.0, torque = 0.0;
+    for (std::size_t k = first_[body]; k < first_[body + 1]; ++k) {
+      const PointLoad& load = loads[touches_[k] >> 1];
+      const bool edge_side = touches_[k] & 1;
+      fx += edge_side ? -load.fx : load.fx;
+      fy += edge_side ? -load.fy : load.fy;
+      torque += edge_side ? load.torque_edge : load.torque_corner;
+    }
+    forces[body] = {fx, fy};
+    torques[body] = torque;
+  }
+}
+
+}  // namespace dougong::engine

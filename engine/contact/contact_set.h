@@ -1,0 +1,62 @@
+// The pairs that can meet and their contact points, kept up to date while bodies move.
+//
+// A pair's manifold is found again when its relative motion since the last time exceeds a third of its
+// margin (a small part of the smaller body's width): until then the same corners face the same edges
+// and the kernel follows them exactly. Friction anchors survive as long as their feature does, and
+// pass on when one end of a contact changes hands between two coinciding corners.
+#pragma once
+
+#include "engine/collision/broad_phase.h"
+#include "engine/contact/contact_points.h"
+
+namespace dougong::engine {
+
+struct ContactPair {
+  BodyPair bodies;
+  double margin = 0.0;      // m
+  Manifold manifold;
+  Index first_point = 0;    // of two, if active
+  bool active = false;      // within the margin
+  // Pose of the smaller body in the larger one's frame when the manifold was found.
+  Vec2 seen_position;
+  double seen_angle = 0.0;
+};
+
+class ContactSet {
+ public:
+  ContactSet() = default;
+  explicit ContactSet(const Model& model);
+
+  /// Brings pairs and points up to date with the frames. Returns true if any point was added, removed
+  /// or replaced (its stability bound may have changed).
+  bool update(const Model& model, std::span<const Frame> frames);
+  /// Steps of length h that may pass before the next update, whatever the bodies do at their present
+  /// speeds (at least 1).
+  std::size_t steps_until_update(const Model& model, std::span<const Frame> frames, double h) const;
+
+  /// Sums the loads of the points over every body and terrain, in a fixed order.
+  void gather(std::span<const PointLoad> loads, std::span<Vec2> forces, std::span<double> torques) const;
+
+  ContactPoints points;
+  const std::vector<ContactPair>& pairs() const { return pairs_; }
+  double smallest_margin() const { return smallest_margin_; }
+
+ private:
+  void rebuild_pairs(const Model& model, std::span<const Frame> frames);
+  bool moved_beyond_skin(const Model& model, std::span<const Frame> frames) const;
+  bool refresh(const Model& model, std::span<const Frame> frames, ContactPair& pair, bool& activity_changed);
+  void write_points(const Model& model, std::span<const Frame> frames, ContactPair& pair, const Manifold& old,
+                    std::span<const PointHistory> old_history);
+  void lay_out_points(const Model& model, std::span<const Frame> frames);
+  void index_bodies(std::size_t bodies);
+
+  double skin_ = 0.0;             // m
+  double smallest_margin_ = 0.0;  // m
+  std::vector<ContactPair> pairs_;
+  std::vector<Vec2> skin_position_;
+  std::vector<double> skin_angle_;
+  std::vector<std::size_t> first_;      // of each body, into touches_
+  std::vector<std::uint32_t> touches_;  // point index, times two, plus one on the edge's side
+};
+
+}  // namespace dougong::engine

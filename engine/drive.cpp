@@ -1,0 +1,224 @@
+#include "engine/drive.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/dynamics.h"
+#include "engine/integrators/table.h"
+
+namespace dougong::engine {
+namespace {
+
+constexpr double no_bound = std::numeric_limits<double>::infinity();
+
+void check_options(const DriveOptions& options) {
+  if (!(options.end_time >= 0.0) || !std::isfinite(options.end_time))
+    throw std::invalid_argument("end time must not be negative");
+  if (!(options.output_interval > 0.0)) throw std::invalid_argument("output interval must be positive");
+  if (!(options.step_fraction > 0.0 && options.step_fraction < 1.0))
+    throw std::invalid_argument("step fraction must lie between 0 and 1");
+  if (options.step && !(*options.step > 0.0)) throw std::invalid_argument("step must be positive");
+}
+
+// Output times and record samples must both be multiples of the base interval.
+struct Intervals {
+  double base, output;
+  std::size_t bases_per_output;
+};
+
+Intervals choose_intervals(double knot, double output) {
+  if (knot <= 0.0) return {output, output, 1};
+  if (output >= knot) {
+    const auto k = static_cast<std::size_t>(std::llround(output / knot));
+    return {knot, static_cast<double>(k) * knot, k};
+  }
+  const double parts = std::max(1.0, std::round(knot / output));
+  return {knot / parts, knot / parts, 1};
+}
+
+double bound_of(const AnyIntegrator& integrator, const SpectralBound& spectrum) {
+  if (spectrum.stiffness <= 0.0) return no_bound;
+  return std::visit([&](const auto& i) { return i.stable_step(spectrum.stiffness, spectrum.damping); }, integrator);
+}
+
+std::size_t steps_per_interval(double interval, double largest_step) {
+  return std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(interval / largest_step * (1.0 - 1e-12))));
+}
+
+// One run: the loop and what it needs at hand.
+class Runner {
+ public:
+  Runner(const Model& model, State& state, const DriveOptions& options)
+      : model_(model),
+        state_(state),
+        options_(options),
+        integrator_(make_integrator(options.integrator)),
+        dynamics_(model, state, options.terrain_held_still, options.local_damping),
+        accelerations_(3 * model.body_count),
+        intervals_(choose_intervals(options.terrain_held_still ? 0.0 : model.knot_interval(),
+                                    options.output_interval)) {}
+
+  StepPlan plan() {
+    refresh_bound();
+    divisions_ = steps_per_interval(intervals_.base, largest_step());
+    return {intervals_.base, intervals_.output, intervals_.base / static_cast<double>(divisions_), bound_};
+  }
+
+  RunOutcome run(const Observer& observe) {
+    state_.time = 0.0;
+    const StepPlan start = plan();
+    outcome_.step = outcome_.smallest_step = start.step;
+    outcome_.bound = start.bound;
+    outcome_.output_interval = start.output_interval;
+    if (options_.step && *options_.step > start.bound)
+      return end(Outcome::step_too_large, "a step of " + std::to_string(*options_.step) +
+                                              " s is above the stability bound of " + std::to_string(start.bound) +
+                                              " s");
+    if (const Wish wish = sample(observe); wish != Wish::go_on) return end_as_wished(wish);
+    const auto outputs = static_cast<std::size_t>(std::ceil(options_.end_time / intervals_.output - 1e-9));
+    for (std::size_t output = 0; output < outputs; ++output) {
+      for (std::size_t k = 0; k < intervals_.bases_per_output; ++k) advance_interval();
+      if (const std::string trouble = health_problem(); !trouble.empty()) return end(Outcome::diverged, trouble);
+      if (const Wish wish = sample(observe); wish != Wish::go_on) return end_as_wished(wish);
+    }
+    return end(Outcome::completed, "");
+  }
+
+ private:
+  double largest_step() const { return options_.step ? *options_.step : options_.step_fraction * bound_; }
+
+  void refresh_bound() {
+    bound_ = bound_of(integrator_,
+                      spectral_bound(model_, state_, frames_of(model_, state_, options_.terrain_held_still)));
+  }
+
+  // A base interval in `divisions_` equal steps; the number may double on the way.
+  void advance_interval() {
+    start_interval();
+    for (std::size_t j = 0; j < divisions_; ++j) {
+      if (countdown_ == 0 && update_contacts()) j *= refine();
+      const double h = intervals_.base / static_cast<double>(divisions_);
+      state_.time = (static_cast<double>(interval_) + static_cast<double>(j) / static_cast<double>(divisions_)) *
+                    intervals_.base;
+      step(h);
+      --countdown_;
+    }
+    ++interval_;
+    state_.time = static_cast<double>(interval_) * intervals_.base;
+  }
+
+  // The step that the contacts of now allow, unless the present one is about right.
+  void start_interval() {
+    refresh_bound();
+    const std::size_t wanted = steps_per_interval(intervals_.base, largest_step());
+    const double h = intervals_.base / static_cast<double>(divisions_);
+    if (h > tolerated_step() || 4 * wanted < 3 * divisions_) change_divisions(wanted);
+  }
+
+  // A bound that wanders a little must not change the step: a tenth of it is spare below the bound.
+  double tolerated_step() const { return options_.step ? bound_ : std::min(1.1 * largest_step(), bound_); }
+
+  void change_divisions(std::size_t divisions) {
+    if (divisions > divisions_) ++outcome_.step_reductions;
+    divisions_ = divisions;
+    outcome_.smallest_step = std::min(outcome_.smallest_step, intervals_.base / static_cast<double>(divisions));
+    countdown_ = 0;
+    restart();
+  }
+
+  // Halves the step until it suits the contacts; returns the factor by which the divisions grew.
+  std::size_t refine() {
+    refresh_bound();
+    std::size_t factor = 1;
+    while (intervals_.base / static_cast<double>(divisions_ * factor) > tolerated_step() && factor < 1024) factor *= 2;
+    if (factor > 1) change_divisions(divisions_ * factor);
+    countdown_ = std::max<std::size_t>(countdown_, 1);
+    return factor;
+  }
+
+  bool update_contacts() {
+    const auto frames = frames_of(model_, state_, options_.terrain_held_still);
+    const bool changed = state_.contacts.update(model_, frames);
+    countdown_ = state_.contacts.steps_until_update(model_, frames, intervals_.base / static_cast<double>(divisions_));
+    if (changed) restart();
+    return changed;
+  }
+
+  void restart() {
+    std::visit([](auto& i) { i.restart(); }, integrator_);
+  }
+
+  void step(double h) {
+    const Powers work = std::visit(
+        [&](auto& i) { return i.step(dynamics_, state_.time, h, state_.q(), state_.v()); }, integrator_);
+    state_.work.input += work.values[0];
+    state_.work.damping += work.values[1];
+    state_.work.tangential += work.values[2];
+    ++outcome_.steps;
+  }
+
+  std::string health_problem() const {
+    const std::size_t n = model_.body_count;
+    for (std::size_t i = 0; i < state_.y.size(); ++i)
+      if (!std::isfinite(state_.y[i])) return "the motion of " + model_.names[i % n] + " is not finite";
+    if (state_.deepest_ratio > options_.largest_overlap_ratio)
+      return model_.names[state_.deepest_pair.a] + " and " + model_.names[state_.deepest_pair.b] +
+             " overlap by more than " + std::to_string(options_.largest_overlap_ratio) + " of the smaller one";
+    return "";
+  }
+
+  Wish sample(const Observer& observe) {
+    if (!observe) return Wish::go_on;
+    dynamics_.accelerate(state_.time, state_.q(), state_.v(), accelerations_, false);
+    return observe({state_, accelerations_, dynamics_.terrain_reaction()});
+  }
+
+  RunOutcome end_as_wished(Wish wish) {
+    return end(wish == Wish::stop ? Outcome::stopped_by_criterion : Outcome::interrupted, "");
+  }
+
+  RunOutcome end(Outcome outcome, const std::string& detail) {
+    outcome_.outcome = outcome;
+    outcome_.detail = detail;
+    outcome_.end_time = state_.time;
+    return outcome_;
+  }
+
+  const Model& model_;
+  State& state_;
+  DriveOptions options_;
+  AnyIntegrator integrator_;
+  Dynamics dynamics_;
+  std::vector<double> accelerations_;
+  Intervals intervals_;
+  RunOutcome outcome_;
+  double bound_ = no_bound;
+  std::size_t interval_ = 0, divisions_ = 1, countdown_ = 0;
+};
+
+}  // namespace
+
+std::string to_string(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::completed: return "completed";
+    case Outcome::diverged: return "diverged";
+    case Outcome::step_too_large: return "step too large";
+    case Outcome::stopped_by_criterion: return "stopped by criterion";
+    case Outcome::interrupted: return "interrupted";
+  }
+  return "";
+}
+
+StepPlan plan_steps(const Model& model, const State& state, const DriveOptions& options) {
+  check_options(options);
+  State copy = state;
+  return Runner(model, copy, options).plan();
+}
+
+RunOutcome drive(const Model& model, State& state, const DriveOptions& options, const Observer& observe) {
+  check_options(options);
+  return Runner(model, state, options).run(observe);
+}
+
+}  // namespace dougong::engine

@@ -1,0 +1,64 @@
+#include "engine/dynamics.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dougong::engine {
+
+Dynamics::Dynamics(const Model& model, State& state, bool terrain_held_still, double local_damping)
+    : model_(model),
+      state_(state),
+      terrain_held_still_(terrain_held_still),
+      local_damping_(local_damping),
+      frames_(model.size()),
+      forces_(model.size()),
+      torques_(model.size()) {}
+
+Powers Dynamics::accelerate(double t, std::span<const double> q, std::span<const double> v, std::span<double> a,
+                            bool begins_step) {
+  place_bodies(model_, q, v, frames_);
+  place_terrains(model_, t, terrain_held_still_, frames_);
+  loads_.resize(state_.contacts.points.size());
+  const ContactTotals totals = contact_forces(state_.contacts.points, frames_, begins_step, loads_);
+  state_.contacts.gather(loads_, forces_, torques_);
+  const std::size_t n = model_.body_count;
+  for (std::size_t i = 0; i < n; ++i) {
+    a[i] = forces_[i].x / model_.mass[i] + model_.gravity.x;
+    a[n + i] = forces_[i].y / model_.mass[i] + model_.gravity.y;
+    a[2 * n + i] = torques_[i] / model_.inertia[i];
+  }
+  if (local_damping_ > 0.0) damp_locally(v, a);
+  if (begins_step) note_deepest(t, totals);
+  return terrain_power(totals);
+}
+
+void Dynamics::damp_locally(std::span<const double> v, std::span<double> a) const {
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double sign = v[i] > 0.0 ? 1.0 : (v[i] < 0.0 ? -1.0 : 0.0);
+    a[i] -= local_damping_ * sign * std::abs(a[i]);
+  }
+}
+
+// The terrains' work on the bodies: minus the force they bear, times their velocity.
+Powers Dynamics::terrain_power(const ContactTotals& totals) const {
+  double input = 0.0;
+  for (std::size_t j = model_.body_count; j < model_.size(); ++j) input -= dot(forces_[j], frames_[j].velocity());
+  return {{input, totals.damping_power, totals.tangential_power}};
+}
+
+void Dynamics::note_deepest(double t, const ContactTotals& totals) {
+  if (totals.deepest_ratio <= state_.deepest_ratio) return;
+  state_.deepest_ratio = totals.deepest_ratio;
+  state_.deepest_time = t;
+  const Index a = state_.contacts.points.corner_body[totals.deepest_point];
+  const Index b = state_.contacts.points.edge_body[totals.deepest_point];
+  state_.deepest_pair = {std::min(a, b), std::max(a, b)};
+}
+
+Vec2 Dynamics::terrain_reaction() const {
+  Vec2 sum;
+  for (std::size_t j = model_.body_count; j < model_.size(); ++j) sum -= forces_[j];
+  return sum;
+}
+
+}  // namespace dougong::engine

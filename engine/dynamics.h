@@ -1,0 +1,39 @@
+// The equations of motion of a scene: M q'' = gravity + contact, as an integrator sees them.
+#pragma once
+
+#include "engine/integrators/integrator.h"
+#include "engine/state.h"
+
+namespace dougong::engine {
+
+class Dynamics {
+ public:
+  /// The state's contacts are updated in place. With terrain held still the motions stay at t = 0.
+  /// local_damping beta takes beta |a_i| against the sign of v_i off every acceleration: Cundall's
+  /// non-viscous damping, for finding an equilibrium (Cundall 1987, in Brown (ed.), Analytical and
+  /// Computational Methods in Engineering Rock Mechanics, ch. 4). 0 for any true motion.
+  Dynamics(const Model& model, State& state, bool terrain_held_still = false, double local_damping = 0.0);
+
+  std::size_t degrees_of_freedom() const { return 3 * model_.body_count; }
+  /// Accelerations at (t, q, v). begins_step: these are the poses of an accepted step.
+  Powers accelerate(double t, std::span<const double> q, std::span<const double> v, std::span<double> a,
+                    bool begins_step);
+  /// Force of the terrains on the bodies at the last evaluation (N).
+  Vec2 terrain_reaction() const;
+
+ private:
+  void damp_locally(std::span<const double> v, std::span<double> a) const;
+  Powers terrain_power(const ContactTotals& totals) const;
+  void note_deepest(double t, const ContactTotals& totals);
+
+  const Model& model_;
+  State& state_;
+  bool terrain_held_still_;
+  double local_damping_;
+  std::vector<Frame> frames_;
+  std::vector<PointLoad> loads_;
+  std::vector<Vec2> forces_;
+  std::vector<double> torques_;
+};
+
+}  // namespace dougong::engine

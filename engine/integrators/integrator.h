@@ -1,0 +1,55 @@
+// What an integrator is: one fixed step of q'' = a(t, q, v), and the facts about it.
+//
+// The system may depend on velocity (dashpots, friction). Beside the motion every integrator cumulates
+// the system's powers into work, with its own quadrature, so that the energy ledger has the order of the
+// motion. Time, step choice, output and health belong to drive(), not here.
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace dougong::engine {
+
+/// Rates of the energies that the ledger follows (W): terrain input, dashpots, tangential forces.
+struct Powers {
+  std::array<double, 3> values{};
+  friend Powers operator+(const Powers& a, const Powers& b) {
+    return {{a.values[0] + b.values[0], a.values[1] + b.values[1], a.values[2] + b.values[2]}};
+  }
+  friend Powers operator*(double s, const Powers& a) {
+    return {{s * a.values[0], s * a.values[1], s * a.values[2]}};
+  }
+};
+
+struct IntegratorTraits {
+  std::string_view name;
+  int order;                   // smooth forces that depend on position only
+  int order_with_damping;      // smooth forces that depend on velocity too
+  int evaluations;             // of the forces, a step
+  bool symplectic;
+  double stability_limit;      // of omega h, undamped oscillator
+};
+
+template <class S>
+concept SecondOrderSystem = requires(S s, double t, std::span<const double> q, std::span<double> a, bool first) {
+  { s.degrees_of_freedom() } -> std::convertible_to<std::size_t>;
+  { s.accelerate(t, q, q, a, first) } -> std::same_as<Powers>;
+};
+
+/// step() advances q and v from t to t + h and returns the work done. restart() forgets what was kept
+/// from the step before (after a change of step, contacts or state).
+/// stable_step(w2, c) is the largest stable h for every pair of eigenvalues w2 of M^-1 K (rad2/s2) and c
+/// of M^-1 C (1/s) not above the ones given.
+template <class I, class S>
+concept Integrator = SecondOrderSystem<S> && requires(I i, S s, double t, double h, std::span<double> q) {
+  { I::traits } -> std::convertible_to<IntegratorTraits>;
+  { I::stable_step(h, h) } -> std::same_as<double>;
+  { i.step(s, t, h, q, q) } -> std::same_as<Powers>;
+  i.restart();
+};
+
+}  // namespace dougong::engine

@@ -1,0 +1,32 @@
+// The integrators there are: one line each.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <variant>
+
+#include "engine/integrators/rk4.h"
+#include "engine/integrators/symplectic_euler.h"
+#include "engine/integrators/velocity_verlet.h"
+
+namespace dougong::engine {
+
+using AnyIntegrator = std::variant<VelocityVerlet, SymplecticEuler, Rk4>;
+
+namespace detail {
+template <std::size_t I = 0>
+AnyIntegrator integrator_named(std::string_view name, std::string known) {
+  if constexpr (I == std::variant_size_v<AnyIntegrator>) {
+    throw std::invalid_argument("there is no integrator \"" + std::string(name) + "\"; known are" + known);
+  } else {
+    using Candidate = std::variant_alternative_t<I, AnyIntegrator>;
+    if (Candidate::traits.name == name) return Candidate{};
+    return integrator_named<I + 1>(name, std::move(known) + " " + std::string(Candidate::traits.name));
+  }
+}
+}  // namespace detail
+
+/// Throws std::invalid_argument, naming the known ones.
+inline AnyIntegrator make_integrator(std::string_view name) { return detail::integrator_named(name, ""); }
+
+}  // namespace dougong::engine

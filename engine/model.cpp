@@ -1,0 +1,111 @@
+#include "engine/model.h"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+namespace dougong::engine {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+void require_positive(double value, const std::string& owner, const char* quantity) {
+  if (!(value > 0.0) || !std::isfinite(value))
+    throw std::invalid_argument(owner + ": " + quantity + " must be positive and finite, found " +
+                                std::to_string(value));
+}
+
+void require_not_negative(double value, const std::string& owner, const char* quantity) {
+  if (!(value >= 0.0) || !std::isfinite(value))
+    throw std::invalid_argument(owner + ": " + quantity + " must not be negative, found " +
+                                std::to_string(value));
+}
+
+const Material& checked_material(const Scene& scene, std::size_t index, const std::string& owner) {
+  if (index >= scene.materials.size())
+    throw std::invalid_argument(owner + ": there is no material number " + std::to_string(index));
+  const Material& m = scene.materials[index];
+  require_positive(m.density, owner, "density");
+  require_positive(m.young_modulus, owner, "Young's modulus");
+  require_not_negative(m.friction_coefficient, owner, "friction coefficient");
+  require_not_negative(m.damping_ratio, owner, "damping ratio");
+  return m;
+}
+
+void require_finite(Vec2 p, double angle, const std::string& owner) {
+  if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(angle))
+    throw std::invalid_argument(owner + ": position and angle must be finite");
+}
+
+void add_common(Model& model, const std::string& name, const Shape& shape, const Material& material) {
+  model.names.push_back(name);
+  model.shapes.push_back(shape);
+  model.materials.push_back(material);
+  model.bounding_radius.push_back(bounding_radius(shape));
+  model.minimum_width.push_back(minimum_width(shape));
+  require_positive(model.minimum_width.back(), name, "size");
+}
+
+void add_body(Model& model, const Scene& scene, const Body& body) {
+  require_finite(body.position, body.angle, body.name);
+  const Material& material = checked_material(scene, body.material, body.name);
+  add_common(model, body.name, body.shape, material);
+  require_positive(body.thickness, body.name, "thickness");
+  MassProperties properties = mass_properties(body.shape, material.density, body.thickness);
+  if (body.mass) {
+    require_positive(*body.mass, body.name, "mass");
+    properties.inertia *= *body.mass / properties.mass;
+    properties.mass = *body.mass;
+  }
+  model.thickness.push_back(body.thickness);
+  model.mass.push_back(properties.mass);
+  model.inertia.push_back(properties.inertia);
+}
+
+void add_terrain(Model& model, const Scene& scene, const Terrain& terrain) {
+  require_finite(terrain.position, terrain.angle, terrain.name);
+  add_common(model, terrain.name, terrain.shape, checked_material(scene, terrain.material, terrain.name));
+  model.thickness.push_back(infinity);
+  model.mass.push_back(infinity);
+  model.inertia.push_back(infinity);
+  model.terrain_position.push_back(terrain.position - model.origin);
+  model.terrain_angle.push_back(terrain.angle);
+  model.motions.push_back(terrain.motion);
+}
+
+Vec2 mean_position(const std::vector<Body>& bodies) {
+  Vec2 sum;
+  for (const Body& body : bodies) sum += body.position;
+  return bodies.empty() ? Vec2{} : (1.0 / static_cast<double>(bodies.size())) * sum;
+}
+
+}  // namespace
+
+double Model::total_mass() const {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < body_count; ++i) sum += mass[i];
+  return sum;
+}
+
+double Model::knot_interval() const {
+  double smallest = 0.0;
+  for (const auto& motion : motions) {
+    const double interval = motion ? motion->knot_interval() : 0.0;
+    if (interval > 0.0) smallest = smallest == 0.0 ? interval : std::min(smallest, interval);
+  }
+  return smallest;
+}
+
+Model compile(const Scene& scene) {
+  Model model;
+  model.body_count = scene.bodies.size();
+  model.terrain_count = scene.terrains.size();
+  model.origin = mean_position(scene.bodies);
+  model.gravity = scene.gravity;
+  model.contact = scene.contact;
+  for (const Body& body : scene.bodies) add_body(model, scene, body);
+  for (const Terrain& terrain : scene.terrains) add_terrain(model, scene, terrain);
+  return model;
+}
+
+}  // namespace dougong::engine

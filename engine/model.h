@@ -1,0 +1,50 @@
+// A compiled scene: what is fixed during a run, as arrays. Immutable once made, so that threads and
+// variants can share it.
+//
+// Bodies come first (0 .. body_count - 1), terrains after them: one index names either. Positions are
+// kept relative to `origin`, so that a scene far from (0, 0) loses no digits to its coordinates.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/scene.h"
+
+namespace dougong::engine {
+
+using Index = std::uint32_t;
+
+struct Model {
+  std::size_t body_count = 0;
+  std::size_t terrain_count = 0;
+  std::size_t size() const { return body_count + terrain_count; }
+  bool is_terrain(Index i) const { return i >= body_count; }
+
+  Vec2 origin;   // m
+  Vec2 gravity;  // m/s2
+  ContactOptions contact;
+
+  std::vector<std::string> names;
+  std::vector<Shape> shapes;
+  std::vector<Material> materials;        // one for each body and terrain
+  std::vector<double> thickness;          // m; of terrain, infinity
+  std::vector<double> mass, inertia;      // kg, kg m2; of terrain, infinity
+  std::vector<double> bounding_radius;    // m
+  std::vector<double> minimum_width;      // m
+
+  std::vector<Vec2> terrain_position;     // m, relative to origin, at zero displacement
+  std::vector<double> terrain_angle;      // rad
+  std::vector<std::shared_ptr<const PrescribedMotion>> motions;  // null: fixed
+
+  double total_mass() const;
+  /// Smallest knot interval of the motions (s); 0 when all are smooth.
+  double knot_interval() const;
+};
+
+/// Throws std::invalid_argument, naming the body, for a mass, stiffness or size that is not positive
+/// and finite, or a material that does not exist.
+Model compile(const Scene& scene);
+
+}  // namespace dougong::engine

@@ -1,0 +1,60 @@
+#include "engine/settle.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dougong::engine {
+namespace {
+
+double largest_translation(const Model& model, std::span<const double> a) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < model.body_count; ++i)
+    largest = std::max(largest, norm({a[i], a[model.body_count + i]}));
+  return largest;
+}
+
+void note_movement(const Model& model, const std::vector<double>& before, const State& state, SettleReport& report) {
+  const std::size_t n = model.body_count;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double movement = norm({state.y[i] - before[i], state.y[n + i] - before[n + i]});
+    if (movement <= report.greatest_movement) continue;
+    report.greatest_movement = movement;
+    report.moved_most = model.names[i];
+  }
+}
+
+void start_afresh(State& state) {
+  state.time = 0.0;
+  std::fill(state.v().begin(), state.v().end(), 0.0);
+  state.work = {};
+  state.deepest_ratio = state.deepest_time = 0.0;
+}
+
+}  // namespace
+
+SettleReport settle(const Model& model, State& state, const SettleOptions& options) {
+  SettleReport report;
+  const double gravity = norm(model.gravity);
+  if (gravity == 0.0 || model.body_count == 0) return report.settled = true, report;
+
+  DriveOptions drive_options;
+  drive_options.integrator = "symplectic-euler";
+  drive_options.end_time = options.longest_time;
+  drive_options.terrain_held_still = true;
+  drive_options.local_damping = options.local_damping;
+  const std::vector<double> before = state.y;
+  const RunOutcome run = drive(model, state, drive_options, [&](const Sample& sample) {
+    report.unbalanced_ratio = largest_translation(model, sample.accelerations) / gravity;
+    // At t = 0 nothing touches yet: free fall is unbalanced by 1.
+    report.settled = sample.state.time > 0.0 && report.unbalanced_ratio < options.unbalanced_ratio;
+    return report.settled ? Wish::stop : Wish::go_on;
+  });
+  report.outcome = run.outcome;
+  report.detail = run.detail;
+  report.duration = run.end_time;
+  note_movement(model, before, state, report);
+  start_afresh(state);
+  return report;
+}
+
+}  // namespace dougong::engine

@@ -1,0 +1,53 @@
+// Stochastic point source: what one patch of a fault sends to a site, as shaped noise.
+//
+//   A(f) = C M0 (2 pi f)^2 S(f) G(R) exp(-pi f R/(Q(f) beta)) exp(-pi kappa f) A_site(f) L(f)     Fourier
+//   amplitude C = R_p V F/(4 pi rho beta^3 R0),  R_p = 0.55, V = 0.707, F = 2, R0 = 1 km S = 1/(1 +
+//   (f/f0)^2),  f0 = 4.9e6 beta (stress drop/M0)^(1/3)        [km/s, bar, dyne cm] M0 = 10^(1.5 M + 16.05)
+//   dyne cm G = continuous pieces (R/R_k)^p_k,  Q = Q0 f^n (not below its value at 0.1 Hz) L = 1/sqrt(1 +
+//   (f_low/f)^8): nothing below the band that a stochastic source may claim
+//
+// A time series: Gaussian noise of the length of the motion, windowed by the shape of Saragoni & Hart (1974)
+// (peak at 0.2, 5 % left at t_n, t_n = 2 T_gm), transformed, divided by the rms of its spectrum, multiplied
+// by A(f), transformed back. Duration T_gm = 1/f0 + path duration. Assumes a far field, one mean radiation
+// pattern and no directivity; holds for about 0.1 s to 5 s. Sources: Boore, Pure Appl. Geophys. 160 (2003)
+// 635-676; path durations of Boore & Thompson, BSSA 104 (2014) and 105 (2015); site amplification of generic
+// rock (Vs30 760 m/s), Boore, BSSA 106 (2016).
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace dougong::seismic {
+
+/// The crust that the waves pass: SI but for distances in km, where the published pieces are.
+struct Region {
+  double density = 2800.0;         // kg/m3
+  double shear_velocity = 3500.0;  // m/s
+  double q0 = 200.0, q_exponent = 0.5;
+  double kappa = 0.03;                                               // s
+  std::vector<std::pair<double, double>> spreading = {{1.0, -1.0}};  // from R (km): exponent
+  double site_factor = 1.0;  // on the generic-rock amplification, all frequencies
+  double low_cut = 0.05;     // Hz
+};
+
+struct PointSource {
+  double magnitude = 7.0;      // Mw
+  double stress_drop = 1.0e7;  // Pa
+  double distance = 30000.0;   // m, effective
+  double onset = 0.0;          // s, when its first waves reach the site
+};
+
+/// m/s.
+double fourier_amplitude(const PointSource& source, const Region& region, double frequency);
+double corner_frequency(const PointSource& source, const Region& region);  // Hz
+double motion_duration(const PointSource& source, const Region& region);   // s, T_gm
+
+/// Saragoni & Hart window with peak 1 at 0.2 t_n and 0.05 at t_n.
+double envelope(double time, double end);
+
+/// Acceleration (m/s2) at the site from `onset` on, `count` samples; the same seed and stream give the same.
+std::vector<double> simulate(const PointSource& source, const Region& region, double interval,
+                             std::size_t count, std::uint64_t seed, std::uint64_t stream);
+
+}  // namespace dougong::seismic

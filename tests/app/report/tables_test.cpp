@@ -1,0 +1,200 @@
+// summary.json against its schema, and the CSV files read back.
+#include <gmock/gmock.h>
+
+#include <charconv>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+
+#include "app/report/axis.h"
+#include "app/report/colour.h"
+#include "app/report/csv.h"
+#include "app/report/decimate.h"
+#include "app/report/safe_file.h"
+#include "app/report/summary.h"
+#include "app/report/text.h"
+#include "fixtures.h"
+
+namespace dougong::app {
+namespace {
+
+using Json = nlohmann::json;
+
+std::string type_name(const Json& value) {
+  if (value.is_number_integer()) return "integer";
+  return value.is_number() ? "number" : value.type_name();
+}
+
+bool has_type(const Json& value, const Json& types) {
+  for (const Json& type : types.is_array() ? types : Json::array({types})) {
+    if (type == type_name(value) || (type == "number" && value.is_number())) return true;
+  }
+  return false;
+}
+
+/// The part of JSON Schema the summary's schema uses; what is wrong, with its place.
+void check(const Json& value, const Json& asked, const Json& root, const std::string& place,
+           std::vector<std::string>& wrong) {
+  const Json& schema = asked.contains("$ref")
+                           ? root.at(Json::json_pointer(asked["$ref"].get<std::string>().substr(1)))
+                           : asked;
+  if (!has_type(value, schema.at("type"))) wrong.push_back(place + ": type " + type_name(value));
+  if (schema.contains("const") && value != schema["const"]) wrong.push_back(place + ": not the constant");
+  if (schema.contains("enum") && !std::count(schema["enum"].begin(), schema["enum"].end(), value))
+    wrong.push_back(place + ": not in the list");
+  if (value.is_object()) {
+    for (const Json& key : schema.at("required")) {
+      if (!value.contains(key)) wrong.push_back(place + ": lacks " + key.get<std::string>());
+    }
+    for (const auto& [key, part] : value.items()) {
+      if (!schema.at("properties").contains(key))
+        wrong.push_back(place + ": unexpected " + key);
+      else
+        check(part, schema["properties"][key], root, place + "/" + key, wrong);
+    }
+  }
+  for (std::size_t i = 0; value.is_array() && i < value.size(); ++i)
+    check(value[i], schema.at("items"), root, place + "/" + std::to_string(i), wrong);
+}
+
+Json schema() {
+  return Json::parse(read_file(DOUGONG_SUMMARY_SCHEMA));
+}
+
+std::vector<std::string> violations(const Json& summary) {
+  std::vector<std::string> wrong;
+  check(summary, schema(), schema(), "", wrong);
+  return wrong;
+}
+
+std::vector<std::vector<std::string>> cells(const std::string& csv) {
+  std::vector<std::vector<std::string>> rows;
+  std::istringstream lines(csv);
+  for (std::string line; std::getline(lines, line);) {
+    rows.emplace_back(1);
+    for (const char c : line) {
+      if (c == ',')
+        rows.back().emplace_back();
+      else
+        rows.back().back() += c;
+    }
+  }
+  return rows;
+}
+
+double number(const std::string& text) {
+  double value = NAN;
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
+}
+
+TEST(Summary, FollowsItsSchema) {
+  for (const RunResult& run : {fixtures::survived(), fixtures::collapsed(), fixtures::partial(),
+                               fixtures::motionless(), RunResult{}}) {
+    EXPECT_THAT(violations(Json::parse(summary_json(run, {"drift.csv"}))), testing::IsEmpty());
+  }
+}
+
+TEST(Summary, TheCheckSeesAMissingAndAnUnexpectedKey) {
+  Json summary = Json::parse(summary_json(fixtures::survived(), {}));
+  summary["metrics"].erase("weight");
+  summary["surprise"] = 1;
+  summary["partial"] = "no";
+  EXPECT_EQ(violations(summary).size(), 3u);
+}
+
+TEST(Summary, MetricsKeepSignUnitAndTime) {
+  const RunResult run = fixtures::collapsed();
+  const Json s = Json::parse(summary_json(run, {}));
+  const auto& peak = run.response.storeys[1].peak_drift.negative;
+  EXPECT_EQ(s["metrics"]["storeys"][1]["peak_drift_ratio"]["negative"],
+            (Json{{"value", peak.value}, {"unit", "1"}, {"time", peak.time}}));
+  EXPECT_EQ(s["verdict"]["kind"], "collapsed");
+  EXPECT_EQ(s["metrics"]["largest_drift_ratio"]["storey"], "S1");
+  EXPECT_EQ(s["metrics"]["storeys"][3]["lost_at"], nullptr);
+}
+
+TEST(Csv, DriftReadsBackExactlyAndStopsAtTheLoss) {
+  const RunResult run = fixtures::collapsed();
+  const auto rows = cells(drift_csv(run));
+  ASSERT_EQ(rows.size(), run.response.times.size() + 1);
+  EXPECT_THAT(rows[0], testing::ElementsAre("time (s)", "S1 interstorey drift ratio (1)", "S1 lost",
+                                            "S2 interstorey drift ratio (1)", "S2 lost",
+                                            "S3 interstorey drift ratio (1)", "S3 lost",
+                                            "S4 interstorey drift ratio (1)", "S4 lost"));
+  for (std::size_t i = 0; i < run.response.times.size(); ++i) {
+    const auto& row = rows[i + 1];
+    ASSERT_EQ(number(row[0]), run.response.times[i]);
+    const bool lost = run.response.times[i] >= 11.3;
+    ASSERT_EQ(row[1].empty(), lost);
+    ASSERT_EQ(row[2], lost ? "1" : "0");
+    if (!lost) {
+      ASSERT_EQ(number(row[1]), run.response.storeys[0].drift[i]);
+    }
+    ASSERT_EQ(number(row[7]), run.response.storeys[3].drift[i]);
+  }
+}
+
+TEST(Csv, EveryTableHasItsHeaderAndRows) {
+  const RunResult run = fixtures::survived();
+  for (const std::string& csv : {drift_csv(run), acceleration_csv(run), roof_and_base_shear_csv(run),
+                                 energy_csv(run), motion_csv(run)}) {
+    const auto rows = cells(csv);
+    EXPECT_GT(rows.size(), 1000u);
+    for (const auto& row : rows) ASSERT_EQ(row.size(), rows[0].size());
+  }
+  EXPECT_EQ(cells(energy_csv({})).size(), 1u);
+}
+
+TEST(Csv, BaseShearOverWeightIsTheirQuotient) {
+  const RunResult run = fixtures::survived();
+  const auto rows = cells(roof_and_base_shear_csv(run));
+  EXPECT_EQ(number(rows[601][3]), run.response.base_shear[600] / run.response.weight);
+}
+
+TEST(Decimate, KeepsPeaksEndsAndOrder) {
+  std::vector<double> x(20000), y(20000, 0.0);
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] = static_cast<double>(i);
+  y[7777] = 5.0;
+  y[7778] = -6.0;
+  const Points p = decimated(x, y, 100);
+  EXPECT_LE(p.x.size(), 202u);
+  EXPECT_TRUE(std::is_sorted(p.x.begin(), p.x.end()));
+  EXPECT_THAT(p.y, testing::IsSupersetOf({5.0, -6.0}));
+  EXPECT_EQ(p.x.front(), 0.0);
+  EXPECT_EQ(p.x.back(), 19999.0);
+}
+
+TEST(Colour, TextIsReadableOnWhiteAndViridisRuns) {
+  EXPECT_EQ(readable(ink::black), ink::black);
+  EXPECT_EQ(to_hex(from_hex("#d55e00")), "#d55e00");
+  EXPECT_EQ(to_hex(viridis(0.0)), "#440154");
+  EXPECT_EQ(to_hex(viridis(2.0)), "#fde725");
+  for (std::size_t i = 0; i < 7; ++i) EXPECT_LE(category_ink(i).green, category(i).green);
+  EXPECT_LT(category_ink(4).red, category(4).red);  // orange needs darkening
+}
+
+TEST(Axis, StepsAreRoundAndFit) {
+  for (const double span : {0.0037, 0.158, 0.62, 1.0, 7.3, 29.99, 640.0}) {
+    const double step = round_step(span, 5);
+    EXPECT_NEAR(round_below(step), step, 1e-9 * step) << span;
+    EXPECT_LE(span / step, 5.0) << span;
+    EXPECT_GE(span / step, 1.9) << span;
+  }
+}
+
+TEST(Text, PrintsWhatAReaderExpects) {
+  EXPECT_EQ(drift_percent(0.0042), "+0.42 %");
+  EXPECT_EQ(drift_percent(-0.0123), "−1.23 %");
+  EXPECT_EQ(drift_fraction(-0.0042), "1/238");
+  EXPECT_EQ(fixed(-0.001, 2), "0.00");
+  EXPECT_EQ(significant(3.2e-7, 2), "3.2 × 10⁻⁷");
+  EXPECT_EQ(significant(0.35, 3), "0.350");
+  EXPECT_EQ(displacement(-0.0123), "−12.3 mm");
+  EXPECT_EQ(acceleration_g(9.80665), "+1.000 g");
+  EXPECT_EQ(fixed(NAN, 2), "n/a");
+  EXPECT_EQ(escape_markup("<a href=\"x\">&'"), "&lt;a href=&quot;x&quot;&gt;&amp;&#39;");
+}
+
+}  // namespace
+}  // namespace dougong::app
