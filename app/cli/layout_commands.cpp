@@ -13,18 +13,26 @@
 namespace dougong::app {
 namespace {
 
-std::string printed(const structures::Parameter& p, double value) { return print_quantity(value, p.dimension); }
-
-void print_parameters(const structures::Layout& layout, const structures::ParameterMap& values) {
-  fmt::print("{:<22}{:>14}{:>14}   {:<22}{}\n", "parameter", "value", "default", "range", "meaning");
-  for (const structures::Parameter& p : layout.parameters)
-    fmt::print("{:<22}{:>14}{:>14}   {:<22}{}\n", p.name, printed(p, values.at(p.name)), printed(p, p.standard),
-               printed(p, p.least) + " .. " + printed(p, p.most), p.meaning);
+std::string printed(const structures::Parameter& p, double value) {
+  return print_quantity(value, p.dimension);
 }
 
-void write_picture(const ModelSheet& model, const std::filesystem::path& path, bool force) {
+void print_parameters(const structures::Layout& layout, const structures::ParameterMap& values) {
+  fmt::print("{:<20}{:>12}{:>12}   {:<26}{}\n", "parameter", "value", "default", "range", "meaning");
+  for (const structures::Parameter& p : layout.parameters)
+    fmt::print("{:<20}{:>12}{:>12}   {:<26}{}\n", p.name, printed(p, values.at(p.name)),
+               printed(p, p.standard), printed(p, p.least) + " .. " + printed(p, p.most), p.meaning);
+}
+
+// Found out before anything is printed.
+void refuse_picture(const std::filesystem::path& path, bool force) {
+  if (path.extension() != ".png" && path.extension() != ".svg")
+    throw FileError(path, "write the picture", "expected a name that ends in .png or .svg");
   if (!force && std::filesystem::exists(path))
     throw FileError(path, "write the picture", "the file exists; give --force or another --picture");
+}
+
+void write_picture(const ModelSheet& model, const std::filesystem::path& path) {
   write_file(path, path.extension() == ".svg" ? model_svg(model) : png_of(draw_model(model)));
 }
 
@@ -46,16 +54,18 @@ int layout_show_command(const LayoutShowOptions& options) {
   for (const std::string& text : options.set) overrides.push_back(parse_override(text));
   const Scenario scenario = scenario_from(overrides, RecordRule::optional);
   const structures::Layout& layout = structures::find_layout(scenario.layout.name);
+  const std::filesystem::path path = options.picture.empty() ? layout.name + ".png" : options.picture;
+  refuse_picture(path, options.force);
   const structures::Building building = structures::build_layout(layout.name, scenario.layout.parameters);
   const ModelSheet sheet = model_sheet(building);
 
   fmt::print("{}: {}\n{}\n\n", layout.name, layout.summary, layout.counting);
   print_parameters(layout, scenario.layout.parameters);
-  fmt::print("\n{} blocks, {}, {} storeys\n", sheet.blocks.size(), mass_text(sheet.mass), sheet.storeys.size());
+  fmt::print("\n{} blocks, {}, {} storeys\n", sheet.blocks.size(), mass_text(sheet.mass),
+             sheet.storeys.size());
   for (const structures::Finding& finding : structures::check_model(building))
     fmt::print("{}: {}\n", to_string(finding.severity), finding.message);
-  const std::filesystem::path path = options.picture.empty() ? layout.name + ".png" : options.picture;
-  write_picture(sheet, path, options.force);
+  write_picture(sheet, path);
   fmt::print("picture: {}\n", path.string());
   return exit_survived;
 }

@@ -1,3 +1,5 @@
 #include "app/cli/program.h"
 
-int main(int argc, char** argv) { return dougong::app::run_program(argc, argv); }
+int main(int argc, char** argv) {
+  return dougong::app::run_program(argc, argv);
+}

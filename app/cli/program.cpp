@@ -1,13 +1,13 @@
 #include "app/cli/program.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "app/cli/commands.h"
-#include "app/report/gnuplot.h"
-#include "app/report/safe_file.h"
 #include "app/study/prepare.h"
 #include "app/study/version.h"
+#include "seismic/input_error.h"
+#include "structures/nearest_name.h"
 
 namespace dougong::app {
 namespace {
@@ -39,15 +39,19 @@ void add_run(CLI::App& app, Request& r) {
   run->add_option("scenario", r.run.scenario, "Scenario file (TOML); flags and --set override it");
   run->add_option("--layout", r.run.layout, "Building: a name from `dougong layouts`");
   run->add_option("--record", r.run.record, "Ground motion: a file, or a name from `dougong records`");
-  run->add_option("--component", r.run.component, "Component that drives the horizontal axis: EW, NS, 180 ...");
+  run->add_option("--component", r.run.component,
+                  "Component that drives the horizontal axis: EW, NS, 180 ...");
   run->add_option("--pga", r.run.pga, "Peak ground acceleration to scale to, with its unit: \"0.4 g\"");
-  run->add_option("--set", r.run.set, "key=value of the scenario or the layout (docs/scenario.md)")->take_all();
+  run->add_option("--set", r.run.set, "key=value of the scenario or the layout (docs/scenario.md)")
+      ->take_all()
+      ->allow_extra_args(false);
   run->add_option("--out", r.run.out, "Folder for the results (dougong-out)");
   run->add_flag("--force", r.run.force, "Write into a folder that already holds something");
   run->add_flag("--json", r.run.json, "Print summary.json on standard output and nothing else there");
-  run->footer("Exit codes: 0 survived, 10 collapsed, 20 numerically invalid, 30 undecided, 2 bad input.\n"
-              "Example: dougong run --layout four-storey --set left_column_width=\"0.6 m\" --record wenchuan "
-              "--pga \"0.4 g\" --out out/strong");
+  run->footer(
+      "Exit codes: 0 survived, 10 collapsed, 20 numerically invalid, 30 undecided, 2 bad input.\n"
+      "Example: dougong run --layout four-storey --set left_column_width=\"0.6 m\" --record wenchuan "
+      "--pga \"0.4 g\" --out out/strong");
   run->callback([&r] { r.command = [&r] { return run_command(r.run); }; });
 }
 
@@ -60,7 +64,7 @@ void add_layouts(CLI::App& app, Request& r) {
   layout->footer("Example: dougong layout show brick-wall");
   CLI::App* show = layout->add_subcommand("show", "Parameters with defaults and units, and a picture");
   show->add_option("name", r.layout.name, "Name of the layout")->required();
-  show->add_option("--set", r.layout.set, "parameter=value")->take_all();
+  show->add_option("--set", r.layout.set, "parameter=value")->take_all()->allow_extra_args(false);
   show->add_option("--picture", r.layout.picture, "PNG or SVG file to draw (NAME.png)");
   show->add_flag("--force", r.layout.force, "Write over an existing picture");
   show->footer("Example: dougong layout show brick-wall --set courses=20 --picture wall.svg");
@@ -78,7 +82,8 @@ void add_records(CLI::App& app, Request& r) {
   info->add_option("file", r.record.record, "A file, or a name from `dougong records`")->required();
   info->add_option("--component", r.record.component, "Component to choose");
   info->add_option("--units", r.record.units, "Units of a file that does not say: g, gal, m/s2 ...");
-  info->add_option("--interval", r.record.interval, "Time between samples, for a file that does not say: \"0.01 s\"");
+  info->add_option("--interval", r.record.interval,
+                   "Time between samples, for a file that does not say: \"0.01 s\"");
   info->add_option("--count-scale", r.record.count_scale, "gal per count: 3920/6182761");
   info->add_flag("--json", r.record.json, "As JSON");
   info->footer("Example: dougong record info station.csv --units gal --interval \"0.01 s\" --json");
@@ -108,26 +113,113 @@ int report_error(const std::string& text) {
   return exit_bad_input;
 }
 
+// --- words that no command knows -------------------------------------------------------------------
+
+std::string suggestion(const std::string& word, const std::vector<std::string>& known) {
+  const std::string nearest = structures::nearest_name(word, known);
+  return nearest.empty() ? "" : fmt::format("; did you mean \"{}\"?", nearest);
+}
+
+std::string path_of(const CLI::App& app) {
+  return app.get_parent() ? path_of(*app.get_parent()) + " " + app.get_name() : app.get_name();
+}
+
+std::vector<std::string> names_of_commands(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
+  return names;
+}
+
+std::vector<std::string> names_of_flags(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
+const CLI::App* chosen_command(const CLI::App& app) {
+  const auto chosen = app.get_subcommands();
+  return chosen.empty() ? &app : chosen_command(*chosen.front());
+}
+
+std::string unknown_word(const CLI::App& command, const std::string& word) {
+  if (word.starts_with("-"))
+    return fmt::format("unknown option \"{}\" of {}{}", word, path_of(command),
+                       suggestion(word, names_of_flags(command)));
+  const std::vector<std::string> names = names_of_commands(command);
+  if (names.empty())
+    return fmt::format("unexpected \"{}\" after {}; a value with spaces is one argument, in quotes", word,
+                       path_of(command));
+  return fmt::format("unknown command \"{}\": expected {} {}{}", word, path_of(command),
+                     fmt::join(names, " | "), suggestion(word, names));
+}
+
+std::string problem_of(const CLI::App& app, const CLI::App& command, const CLI::ParseError& error) {
+  if (const auto left_over = app.remaining(true); !left_over.empty())
+    return unknown_word(command, left_over.front());
+  const auto names = names_of_commands(command);
+  if (names.empty()) return fmt::format("{}: {}", path_of(command), error.what());
+  return fmt::format("expected a command: {} {}", path_of(command), fmt::join(names, " | "));
+}
+
+std::string command_line_problem(const CLI::App& app, const CLI::ParseError& error) {
+  const CLI::App& command = *chosen_command(app);
+  return fmt::format("{}\n  {} --help says more", problem_of(app, command, error), path_of(command));
+}
+
+// The reader of records names its options without knowing how they are written here.
+struct OptionHint {
+  const char* named;
+  const char* written;
+};
+constexpr OptionHint option_hints[] = {
+    {"option units", "dougong run ... --set units=gal, dougong record info ... --units gal"},
+    {"option pga", "dougong run ... --pga \"0.3 g\""},
+    {"option dt",
+     "dougong run ... --set record.interval=\"0.01 s\", dougong record info ... --interval \"0.01 s\""},
+    {"option scale",
+     "dougong run ... --set count_scale=3920/6182761, dougong record info ... --count-scale 3920/6182761"},
+};
+
+std::string with_hints(std::string text) {
+  for (const OptionHint& hint : option_hints)
+    if (text.find(hint.named) != std::string::npos)
+      text += fmt::format("\n  {}: {}", hint.named, hint.written);
+  return text;
+}
+
+int carry_out(const Request& request) {
+  try {
+    return request.command();
+  } catch (const ModelError& error) {
+    return report_error(fmt::format("the model cannot be run:\n{}", error.what()));
+  } catch (const seismic::InputError& error) {
+    return report_error(with_hints(error.what()));
+  } catch (const std::bad_alloc&) {
+    return report_error("not enough memory: ask for fewer blocks, a shorter duration or a lower output.rate");
+  } catch (const std::exception& error) {
+    return report_error(error.what());
+  }
+}
+
 }  // namespace
 
 int run_program(int argc, const char* const* argv) {
-  CLI::App app{"Dougong: how far does a building of blocks drift on a real ground motion, and does it collapse?",
-               "dougong"};
+  CLI::App app{
+      "Dougong: how far does a building of blocks drift on a real ground motion, and does it collapse?",
+      "dougong"};
   Request request;
   request.run.command = command_text(argc, argv);
   describe_program(app, request);
   try {
     app.parse(argc, argv);
+  } catch (const CLI::Success& asked) {  // help and version
+    return app.exit(asked) == 0 ? exit_survived : exit_bad_input;
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? exit_survived : exit_bad_input;
+    return report_error(command_line_problem(app, error));
   }
-  try {
-    return request.command();
-  } catch (const ModelError& error) {
-    return report_error(fmt::format("the model cannot be run:\n{}", error.what()));
-  } catch (const std::exception& error) {
-    return report_error(error.what());
-  }
+  return carry_out(request);
 }
 
 }  // namespace dougong::app

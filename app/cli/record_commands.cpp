@@ -27,7 +27,8 @@ seismic::RecordSet read_asked_record(const RecordInfoOptions& options) {
 }
 
 std::string acceleration_text(const seismic::RecordInfo& info, double value) {
-  if (info.dimensionless) return fmt::format("{} of its peak (no unit: give a target PGA to use it)", significant(value, 4));
+  if (info.dimensionless)
+    return fmt::format("{} of its peak (no unit: give a target PGA to use it)", significant(value, 4));
   return fmt::format("{:.6g} m/s2 = {:+.6f} g", value, value / seismic::standard_gravity);
 }
 
@@ -46,11 +47,12 @@ void print_info(const seismic::RecordInfo& i) {
   row("samples", fmt::format("{} every {} s, {:.6g} s", i.samples, i.interval, i.duration));
   row("PGA", fmt::format("{} at {:.6g} s", acceleration_text(i, i.pga), i.pga_time));
   row("PGV", fmt::format("{:.6g} {}", i.pgv, i.dimensionless ? "s x peak" : "m/s, mean removed"));
-  row("Arias", fmt::format("{:.6g} m/s", i.arias));
-  row("CAV", fmt::format("{:.6g} m/s", i.cav));
+  if (!i.dimensionless) row("Arias", fmt::format("{:.6g} m/s", i.arias));
+  if (!i.dimensionless) row("CAV", fmt::format("{:.6g} m/s", i.cav));
   row("D5-95", fmt::format("{:.6g} s", i.d5_95));
-  row("PSa", fmt::format("{:.4g} at 0.2 s, {:.4g} at 0.5 s, {:.4g} at 1 s, {:.4g} at 2 s ({}, 5 %)", i.psa_0_2, i.psa_0_5,
-                         i.psa_1_0, i.psa_2_0, i.dimensionless ? "of the peak" : "m/s2"));
+  row("PSa",
+      fmt::format("{:.4g} at 0.2 s, {:.4g} at 0.5 s, {:.4g} at 1 s, {:.4g} at 2 s ({}, 5 %)", i.psa_0_2,
+                  i.psa_0_5, i.psa_1_0, i.psa_2_0, i.dimensionless ? "of the peak" : "m/s2"));
   for (const std::string& step : i.processing) row("done", step);
   for (const std::string& warning : i.warnings) row("warning", warning);
 }
@@ -58,15 +60,39 @@ void print_info(const seismic::RecordInfo& i) {
 ordered_json json_of(const seismic::RecordInfo& i) {
   ordered_json header = ordered_json::object();
   for (const auto& [name, value] : i.header) header[name] = value;
-  return {{"component", i.component}, {"axis", i.axis}, {"event", i.event}, {"station", i.station},
-          {"format", i.format}, {"units_as_found", i.units}, {"dimensionless", i.dimensionless},
-          {"synthetic", i.synthetic}, {"processed", i.processed}, {"file", i.file}, {"sha256", i.sha256},
-          {"npts", i.samples}, {"dt_s", i.interval}, {"duration_s", i.duration}, {"pga_m_s2", i.pga},
-          {"pga_g", i.pga / seismic::standard_gravity}, {"pga_time_s", i.pga_time}, {"pgv_m_s", i.pgv}, {"pgd_m", i.pgd},
-          {"arias_m_s", i.arias}, {"cav_m_s", i.cav}, {"d5_95_s", i.d5_95}, {"d5_75_s", i.d5_75},
-          {"bracketed_0_05g_s", i.bracketed}, {"rms_m_s2", i.rms}, {"housner_m", i.housner},
-          {"psa_0_2_m_s2", i.psa_0_2}, {"psa_0_5_m_s2", i.psa_0_5}, {"psa_1_0_m_s2", i.psa_1_0},
-          {"psa_2_0_m_s2", i.psa_2_0}, {"header", header}, {"processing", i.processing}, {"warnings", i.warnings}};
+  return {{"component", i.component},
+          {"axis", i.axis},
+          {"event", i.event},
+          {"station", i.station},
+          {"format", i.format},
+          {"units_as_found", i.units},
+          {"dimensionless", i.dimensionless},
+          {"synthetic", i.synthetic},
+          {"processed", i.processed},
+          {"file", i.file},
+          {"sha256", i.sha256},
+          {"npts", i.samples},
+          {"dt_s", i.interval},
+          {"duration_s", i.duration},
+          {"pga_m_s2", i.pga},
+          {"pga_g", i.pga / seismic::standard_gravity},
+          {"pga_time_s", i.pga_time},
+          {"pgv_m_s", i.pgv},
+          {"pgd_m", i.pgd},
+          {"arias_m_s", i.arias},
+          {"cav_m_s", i.cav},
+          {"d5_95_s", i.d5_95},
+          {"d5_75_s", i.d5_75},
+          {"bracketed_0_05g_s", i.bracketed},
+          {"rms_m_s2", i.rms},
+          {"housner_m", i.housner},
+          {"psa_0_2_m_s2", i.psa_0_2},
+          {"psa_0_5_m_s2", i.psa_0_5},
+          {"psa_1_0_m_s2", i.psa_1_0},
+          {"psa_2_0_m_s2", i.psa_2_0},
+          {"header", header},
+          {"processing", i.processing},
+          {"warnings", i.warnings}};
 }
 
 }  // namespace
@@ -79,12 +105,14 @@ std::filesystem::path records_directory() {
 int records_command() {
   for (const seismic::CatalogueEntry& entry : seismic::read_catalogue(records_directory())) {
     fmt::print("{} (or {}): {}\n", entry.id, entry.alias, entry.title);
-    fmt::print("  {}{:.4g} s every {:.4g} s\n", entry.synthetic ? "SYNTHETIC, not a recording; " : "", entry.duration,
-               entry.interval);
+    fmt::print("  {}{:.4g} s every {:.4g} s\n", entry.synthetic ? "SYNTHETIC, not a recording; " : "",
+               entry.duration, entry.interval);
     for (const seismic::CatalogueFile& file : entry.files)
-      fmt::print("  {:<4}PGA {:.3f} g   PGV {:.3f} m/s   Arias {:.2f} m/s   D5-95 {:.1f} s   PSa(0.5 s) {:.3f} g   {}\n",
-                 file.component, file.pga / seismic::standard_gravity, file.pgv, file.arias, file.d5_95,
-                 file.psa_0_5 / seismic::standard_gravity, file.name);
+      fmt::print(
+          "  {:<4}PGA {:.3f} g   PGV {:.3f} m/s   Arias {:.2f} m/s   D5-95 {:.1f} s   PSa(0.5 s) {:.3f} g   "
+          "{}\n",
+          file.component, file.pga / seismic::standard_gravity, file.pgv, file.arias, file.d5_95,
+          file.psa_0_5 / seismic::standard_gravity, file.name);
     fmt::print("  {}\n\n", entry.made_by);
   }
   fmt::print("Any file: dougong record info FILE\n");
@@ -101,8 +129,8 @@ int record_info_command(const RecordInfoOptions& options) {
     components.back()["chosen"] = i == set.chosen;
   }
   if (options.json)
-    fmt::print("{}\n", ordered_json{{"components", components}, {"warnings", set.warnings}}.dump(2, ' ', false,
-                                    ordered_json::error_handler_t::replace));
+    fmt::print("{}\n", ordered_json{{"components", components}, {"warnings", set.warnings}}.dump(
+                           2, ' ', false, ordered_json::error_handler_t::replace));
   else
     for (const std::string& warning : set.warnings) fmt::print("warning: {}\n", warning);
   return exit_survived;

@@ -1,41 +1,22 @@
 #include <fmt/format.h>
 
-#include <atomic>
-#include <csignal>
-
 #include "app/cli/commands.h"
+#include "app/cli/interrupts.h"
+#include "app/cli/output_folder.h"
 #include "app/cli/record_choice.h"
 #include "app/cli/run_text.h"
 #include "app/cli/terminal.h"
+#include "app/report/gnuplot.h"
 #include "app/report/report.h"
 #include "app/report/results_file.h"
 #include "app/report/safe_file.h"
+#include "app/report/summary.h"
 #include "app/study/execute.h"
 
 namespace dougong::app {
 namespace {
 
-std::atomic<bool> interrupted = false;
-
-void on_interrupt(int) { interrupted = true; }
-
-// The first Ctrl-C ends the run with a valid partial result; a second one ends the program.
-class InterruptGuard {
- public:
-  InterruptGuard() {
-    interrupted = false;
-    struct sigaction action = {};
-    action.sa_handler = on_interrupt;
-    action.sa_flags = static_cast<int>(SA_RESETHAND);
-    sigaction(SIGINT, &action, &previous_);
-  }
-  ~InterruptGuard() { sigaction(SIGINT, &previous_, nullptr); }
-  InterruptGuard(const InterruptGuard&) = delete;
-  InterruptGuard& operator=(const InterruptGuard&) = delete;
-
- private:
-  struct sigaction previous_ = {};
-};
+namespace fs = std::filesystem;
 
 std::vector<Override> overrides_of(const RunOptions& options) {
   std::vector<Override> overrides;
@@ -51,33 +32,96 @@ std::vector<Override> overrides_of(const RunOptions& options) {
   return overrides;
 }
 
+// "--pga 0.4 g" without quotes leaves a "g" that is taken for the scenario.
+void refuse_stray_word(const std::string& word) {
+  std::error_code error;
+  if (word.empty() || fs::exists(word, error) || word.find_first_of("./") != std::string::npos) return;
+  throw FileError(word, "read the scenario",
+                  "no such file; a value and its unit are one argument, in quotes: --pga \"0.4 g\"");
+}
+
 Scenario scenario_of(const RunOptions& options) {
   const auto overrides = overrides_of(options);
+  refuse_stray_word(options.scenario);
   return options.scenario.empty() ? scenario_from(overrides) : load_scenario(options.scenario, overrides);
 }
 
-// Nothing is written over: an existing folder with anything in it needs --force.
-void claim_directory(const std::filesystem::path& directory, bool force) {
-  std::error_code error;
-  if (std::filesystem::exists(directory, error) && !std::filesystem::is_directory(directory, error))
-    throw FileError(directory, "write the results to", "it is a file, not a folder");
-  if (!force && std::filesystem::exists(directory, error) && !std::filesystem::is_empty(directory, error))
-    throw FileError(directory, "write the results to", "the folder exists and is not empty; give --force or another --out");
-  make_directory(directory);
+// Found out before a long run, not after it.
+void require_gnuplot() {
+  const TemporaryDirectory folder;
+  run_gnuplot("set terminal svg\nset terminal pngcairo\n", folder.path());
 }
 
-RunResult save_and_reload(const RunResult& result, const std::filesystem::path& directory) {
-  const auto path = directory / "results.h5";
-  write_results(result, path);
-  return read_results(path);
+Preparation prepare_aloud(const Scenario& scenario, const Terminal& terminal) {
+  terminal.line(fmt::format("Preparing {} ...", scenario.layout.name), Tone::faint);
+  Preparation preparation = prepare(scenario, records_directory());
+  for (const std::string& text : preparation_text(preparation)) terminal.line(text);
+  return preparation;
+}
+
+RunResult shake(Preparation& preparation, const std::string& command, Interrupts& interrupts,
+                Terminal& terminal) {
+  interrupts.run_begins();
+  RunResult result = execute(preparation, command, [&](const Progress& progress) {
+    terminal.progress(progress);
+    return !interrupts.asked();
+  });
+  terminal.end_progress();
+  return result;
+}
+
+// The report is drawn from what the file holds. A report of an earlier run must not stand beside it.
+RunResult save_and_reload(const RunResult& result, const fs::path& directory) {
+  std::error_code ignored;
+  fs::remove(directory / "report.html", ignored);
+  fs::remove(directory / "summary.json", ignored);
+  write_results(result, directory / "results.h5");
+  return read_results(directory / "results.h5");
+}
+
+// Whatever keeps the report from being drawn, the answer is saved for programs too.
+void save_summary_alone(const RunResult& result, const fs::path& directory) {
+  try {
+    write_file(directory / "summary.json", summary_json(result, {"summary.json"}));
+  } catch (const std::exception&) {
+    // The reason that is told is the first one.
+  }
+}
+
+std::size_t draw_report(const RunResult& result, const fs::path& directory) {
+  try {
+    return write_report(result, directory).size();
+  } catch (const std::exception& error) {
+    save_summary_alone(result, directory);
+    throw std::runtime_error(
+        fmt::format("{}\nThe run is saved in {}; draw its report with: dougong report {}", error.what(),
+                    (directory / "results.h5").string(), directory.string()));
+  }
+}
+
+void print_json(const std::string& text) {
+  if (std::fputs((text + "\n").c_str(), stdout) < 0 || std::fflush(stdout) != 0)
+    throw std::runtime_error("cannot write to standard output; the same is in summary.json");
+}
+
+void say_answer(const RunResult& result, const Terminal& terminal) {
+  for (const ToneLine& line : answer_text(result)) terminal.line(line.text, line.tone);
+}
+
+void say_files(const fs::path& directory, std::size_t files, const Terminal& terminal) {
+  for (const std::string& text : files_text(directory, files)) terminal.line(text);
 }
 
 int exit_code_of(structures::VerdictKind kind) {
   switch (kind) {
-    case structures::VerdictKind::survived: return exit_survived;
-    case structures::VerdictKind::collapsed: return exit_collapsed;
-    case structures::VerdictKind::numerically_invalid: return exit_numerically_invalid;
-    case structures::VerdictKind::undecided: return exit_undecided;
+    case structures::VerdictKind::survived:
+      return exit_survived;
+    case structures::VerdictKind::collapsed:
+      return exit_collapsed;
+    case structures::VerdictKind::numerically_invalid:
+      return exit_numerically_invalid;
+    case structures::VerdictKind::undecided:
+      return exit_undecided;
   }
   return exit_undecided;
 }
@@ -87,34 +131,24 @@ int exit_code_of(structures::VerdictKind kind) {
 int run_command(const RunOptions& options) {
   Terminal terminal(options.json ? stderr : stdout);
   const Scenario scenario = scenario_of(options);
-  const std::filesystem::path directory = scenario.output.directory;
-  claim_directory(directory, options.force);
-
-  terminal.line(fmt::format("Preparing {} ...", scenario.layout.name), Tone::faint);
-  Preparation preparation = prepare(scenario, records_directory());
-  for (const std::string& text : preparation_text(preparation)) terminal.line(text);
-
-  const InterruptGuard guard;
-  const RunResult computed = execute(preparation, options.command, [&](const Progress& progress) {
-    terminal.progress(progress);
-    return !interrupted;
-  });
-  terminal.end_progress();
-
-  terminal.line("Drawing the report ...", Tone::faint);
-  const RunResult result = save_and_reload(computed, directory);
-  const auto files = write_report(result, directory);
-  for (const ToneLine& line : verdict_text(result, directory, files.size() + 1)) terminal.line(line.text, line.tone);
-  if (options.json) fmt::print(stdout, "{}\n", read_file(directory / "summary.json"));
+  require_gnuplot();
+  const OutputFolder folder(scenario.output.directory, options.force);
+  Interrupts interrupts(folder.made());
+  Preparation preparation = prepare_aloud(scenario, terminal);
+  const RunResult computed = shake(preparation, options.command, interrupts, terminal);
+  say_answer(computed, terminal);
+  const RunResult result = save_and_reload(computed, folder.path());
+  say_files(folder.path(), draw_report(result, folder.path()) + 1, terminal);
+  if (options.json) print_json(read_file(folder.path() / "summary.json"));
   return exit_code_of(result.verdict.kind);
 }
 
 int report_command(const ReportOptions& options) {
-  const std::filesystem::path directory = options.directory;
+  const fs::path directory = options.directory;
   const RunResult result = read_results(directory / "results.h5");
-  const auto files = write_report(result, directory);
   const Terminal terminal(stdout);
-  for (const ToneLine& line : verdict_text(result, directory, files.size() + 1)) terminal.line(line.text, line.tone);
+  say_answer(result, terminal);
+  say_files(directory, draw_report(result, directory) + 1, terminal);
   return exit_survived;
 }
 

@@ -10,17 +10,22 @@
 namespace dougong::app {
 namespace {
 
-std::string row(const std::string& name, const std::string& value) { return fmt::format("  {:<13}{}", name, value); }
+std::string row(const std::string& name, const std::string& value) {
+  return fmt::format("  {:<13}{}", name, value);
+}
 
 std::string time_text(double value) {
   if (value < 1e-3) return fmt::format("{:.3g} us", 1e6 * value);
   if (value < 1.0) return fmt::format("{:.3g} ms", 1e3 * value);
-  return fmt::format("{:.3g} s", value);
+  if (value < 100.0) return fmt::format("{:.3g} s", value);
+  if (value < 6000.0) return fmt::format("{:.0f} min", value / 60.0);
+  return fmt::format("{:.3g} h", value / 3600.0);
 }
 
 std::string period_text(const Preparation& p) {
   if (p.period == 0.0) return "none found (no stable horizontal mode)";
-  return fmt::format("{:.3f} s for small amplitudes, carrying {:.0f} % of the mass", p.period, 100.0 * p.participation);
+  return fmt::format("{:.3f} s for small amplitudes, carrying {:.0f} % of the mass", p.period,
+                     100.0 * p.participation);
 }
 
 std::string settle_text(const Preparation& p) {
@@ -36,21 +41,26 @@ std::string motion_text(const Preparation& p) {
   for (const double a : p.motion.ground->horizontal().acceleration) pga = std::max(pga, std::abs(a));
   return fmt::format("{}, {} applied, {:.4g} s every {:.4g} s{}", p.motion.conditioned.title,
                      acceleration_g(pga).substr(pga > 0.0 ? 1 : 0), p.motion.ground->duration(),
-                     p.motion.ground->knot_interval(), p.motion.ground->vertical() ? ", with its vertical component" : "");
+                     p.motion.ground->knot_interval(),
+                     p.motion.ground->vertical() ? ", with its vertical component" : "");
 }
 
 std::string step_text(const Preparation& p) {
   if (!std::isfinite(p.plan.bound))
-    return fmt::format("{}, step {} (nothing touches: no stability bound)", p.drive.integrator, time_text(p.plan.step));
-  return fmt::format("{}, step {}, {:.0f} % of the stability bound of {}", p.drive.integrator, time_text(p.plan.step),
-                     100.0 * p.plan.step / p.plan.bound, time_text(p.plan.bound));
+    return fmt::format("{}, step {} (nothing touches: no stability bound)", p.drive.integrator,
+                       time_text(p.plan.step));
+  return fmt::format("{}, step {}, {:.0f} % of the stability bound of {}", p.drive.integrator,
+                     time_text(p.plan.step), 100.0 * p.plan.step / p.plan.bound, time_text(p.plan.bound));
 }
 
 Tone tone_of(structures::VerdictKind kind) {
   switch (kind) {
-    case structures::VerdictKind::survived: return Tone::good;
-    case structures::VerdictKind::undecided: return Tone::doubtful;
-    default: return Tone::bad;
+    case structures::VerdictKind::survived:
+      return Tone::good;
+    case structures::VerdictKind::undecided:
+      return Tone::doubtful;
+    default:
+      return Tone::bad;
   }
 }
 
@@ -66,8 +76,8 @@ std::string drift_text(const structures::Response& response) {
   const structures::StoreyResponse* worst = worst_storey(response);
   if (!worst) return "no storeys";
   const structures::Peak peak = worst->peak_drift.largest();
-  return fmt::format("{} ({}) in {} at {:.2f} s{}", drift_percent(peak.value), drift_fraction(peak.value), worst->name,
-                     peak.time, worst->lost_at ? ", before the storey was lost" : "");
+  return fmt::format("{} ({}) in {} at {:.2f} s{}", drift_percent(peak.value), drift_fraction(peak.value),
+                     worst->name, peak.time, worst->lost_at ? ", before the storey was lost" : "");
 }
 
 std::string residual_text(const structures::Response& response) {
@@ -81,31 +91,35 @@ std::string residual_text(const structures::Response& response) {
 std::string shear_text(const structures::Response& response) {
   const structures::Peak roof = response.peak_roof_displacement.largest();
   const structures::Peak shear = response.peak_base_shear.largest();
-  return fmt::format("roof {} at {:.2f} s, base shear {} kN (V/W {}) at {:.2f} s", displacement(roof.value), roof.time,
-                     signed_fixed(shear.value / 1000.0, 1),
-                     signed_fixed(response.weight > 0.0 ? shear.value / response.weight : 0.0, 3), shear.time);
+  return fmt::format("roof {} at {:.2f} s, base shear {} kN (V/W {}) at {:.2f} s", displacement(roof.value),
+                     roof.time, signed_fixed(shear.value / 1000.0, 1),
+                     signed_fixed(response.weight > 0.0 ? shear.value / response.weight : 0.0, 3),
+                     shear.time);
 }
 
-std::string losses_text(const structures::Response& response) {
+std::string losses_text(const structures::Response& response, std::size_t blocks) {
   std::string lost;
   for (const auto& storey : response.storeys)
-    if (storey.lost_at) lost += fmt::format("{}{} at {:.2f} s", lost.empty() ? "" : ", ", storey.name, *storey.lost_at);
+    if (storey.lost_at)
+      lost += fmt::format("{}{} at {:.2f} s", lost.empty() ? "" : ", ", storey.name, *storey.lost_at);
   return fmt::format("{} of {} blocks fell ({:.0f} % of the mass); storeys lost: {}", response.losses.size(),
-                     response.blocks, 100.0 * response.fallen_mass_fraction, lost.empty() ? "none" : lost);
+                     blocks, 100.0 * response.fallen_mass_fraction, lost.empty() ? "none" : lost);
 }
 
 std::string numbers_text(const RunResult& r) {
-  return fmt::format("energy error {} % of the input, deepest overlap {} % of a block, {} steps in {:.1f} s",
-                     significant(100.0 * r.energy.relative_error, 2),
-                     significant(100.0 * r.numerics.deepest_overlap_ratio, 2), r.numerics.steps,
-                     r.reproducibility.wall_seconds);
+  return fmt::format(
+      "energy error {} % of the energy turned over, deepest overlap {} % of a block, {} steps in {:.1f} s",
+      significant(100.0 * r.energy.relative_error, 2),
+      significant(100.0 * r.numerics.deepest_overlap_ratio, 2), r.numerics.steps,
+      r.reproducibility.wall_seconds);
 }
 
 }  // namespace
 
 std::vector<std::string> preparation_text(const Preparation& p) {
   std::vector<std::string> lines{
-      row("building", fmt::format("{}: {}", p.building.layout, structures::find_layout(p.building.layout).summary)),
+      row("building",
+          fmt::format("{}: {}", p.building.layout, structures::find_layout(p.building.layout).summary)),
       row("model", fmt::format("{} rigid blocks, 0 bonds, {} touching contact points, {}, {} storeys",
                                p.model.body_count, p.contact_points, mass_text(p.model.total_mass()),
                                p.building.storeys.size())),
@@ -121,18 +135,23 @@ std::vector<std::string> preparation_text(const Preparation& p) {
   return lines;
 }
 
-std::vector<ToneLine> verdict_text(const RunResult& r, const std::filesystem::path& directory, std::size_t files) {
+std::vector<ToneLine> answer_text(const RunResult& r) {
   std::vector<ToneLine> lines{{"", Tone::plain}, {r.verdict.headline, tone_of(r.verdict.kind)}};
-  if (r.partial) lines.push_back({"  INTERRUPTED: the results end where the run was stopped", Tone::doubtful});
+  if (r.partial)
+    lines.push_back({"  INTERRUPTED: the results end where the run was stopped", Tone::doubtful});
   lines.push_back({row("peak drift", drift_text(r.response))});
   lines.push_back({row("residual", residual_text(r.response))});
   lines.push_back({row("response", shear_text(r.response))});
-  lines.push_back({row("losses", losses_text(r.response))});
+  lines.push_back({row("losses", losses_text(r.response, r.model.blocks.size()))});
   lines.push_back({row("numbers", numbers_text(r))});
-  for (const std::string& warning : r.numerics.warnings) lines.push_back({row("warning", warning), Tone::doubtful});
-  lines.push_back({row("report", (directory / "report.html").string())});
-  lines.push_back({row("files", fmt::format("{} in {}", files, directory.string()))});
+  for (const std::string& warning : r.numerics.warnings)
+    lines.push_back({row("warning", warning), Tone::doubtful});
   return lines;
+}
+
+std::vector<std::string> files_text(const std::filesystem::path& directory, std::size_t files) {
+  return {row("report", (directory / "report.html").string()),
+          row("files", fmt::format("{} in {}", files, directory.string()))};
 }
 
 }  // namespace dougong::app

@@ -1,4 +1,4 @@
-// What a run says on the terminal: before it starts, and its verdict in ten lines.
+// What a run says on the terminal: before it starts, its answer, and where it is kept.
 #pragma once
 
 #include "app/cli/terminal.h"
@@ -11,7 +11,7 @@ struct ToneLine {
 };
 
 std::vector<std::string> preparation_text(const Preparation& preparation);
-std::vector<ToneLine> verdict_text(const RunResult& result, const std::filesystem::path& directory,
-                                   std::size_t files);
+std::vector<ToneLine> answer_text(const RunResult& result);
+std::vector<std::string> files_text(const std::filesystem::path& directory, std::size_t files);
 
 }  // namespace dougong::app

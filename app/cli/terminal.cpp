@@ -1,23 +1,51 @@
 #include "app/cli/terminal.h"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
+#include <string_view>
 
 namespace dougong::app {
 namespace {
 
-constexpr int bar_width = 24;
+constexpr int widest_bar = 24;
+constexpr std::chrono::milliseconds between_updates{100};
 
-std::string bar(double fraction) {
-  const int filled = static_cast<int>(fraction * bar_width);
+std::string bar(double fraction, int width) {
+  const int filled = static_cast<int>(fraction * width);
   std::string text;
-  for (int i = 0; i < bar_width; ++i) text += i < filled ? "█" : "·";
+  for (int i = 0; i < width; ++i) text += i < filled ? "█" : "·";
   return text;
 }
 
-double fraction_of(const Progress& p) { return p.end_time > 0.0 ? p.time / p.end_time : 1.0; }
+int columns_of(std::FILE* stream) {
+  struct winsize size = {};
+  return ioctl(fileno(stream), TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+}
+
+// A line that wraps cannot be replaced: the bar gets what the text leaves, and the text is cut.
+std::string one_line(double fraction, const std::string& text, int columns) {
+  const int left = columns - static_cast<int>(text.size()) - 4;
+  const std::string start = left > 4 ? bar(fraction, std::min(left, widest_bar)) + " " : "";
+  return "  " + start + text.substr(0, static_cast<std::size_t>(std::max(columns - 3, 0)));
+}
+
+bool says_yes(const char* variable) {
+  const char* value = std::getenv(variable);
+  return value != nullptr && *value != '\0';
+}
+
+bool can_move_its_cursor(std::FILE* stream) {
+  const char* kind = std::getenv("TERM");
+  return isatty(fileno(stream)) != 0 && kind != nullptr && std::string_view(kind) != "dumb";
+}
+
+double fraction_of(const Progress& p) {
+  return p.end_time > 0.0 ? p.time / p.end_time : 1.0;
+}
 
 std::string describe(const Progress& p) {
   return fmt::format("{:6.2f} / {:.2f} s   peak drift {:+.3f} %   energy error {:.2g} %", p.time, p.end_time,
@@ -26,10 +54,10 @@ std::string describe(const Progress& p) {
 
 }  // namespace
 
-Terminal::Terminal(std::FILE* stream) : stream_(stream), interactive_(isatty(fileno(stream)) != 0) {
-  const char* no_colour = std::getenv("NO_COLOR");
-  colour_ = interactive_ && (no_colour == nullptr || *no_colour == '\0');
-}
+Terminal::Terminal(std::FILE* stream)
+    : stream_(stream),
+      interactive_(can_move_its_cursor(stream)),
+      colour_(interactive_ && !says_yes("NO_COLOR")) {}
 
 std::string Terminal::painted(const std::string& text, Tone tone) const {
   if (!colour_ || tone == Tone::plain) return text;
@@ -40,28 +68,34 @@ std::string Terminal::painted(const std::string& text, Tone tone) const {
   return fmt::format("\033[{}m{}\033[0m", code, text);
 }
 
-void Terminal::line(const std::string& text, Tone tone) const {
-  fmt::print(stream_, "{}\n", painted(text, tone));
+// A terminal that is gone must not cost a run its results, so failures are not told.
+void Terminal::write(const std::string& text) const {
+  std::fputs(text.c_str(), stream_);
   std::fflush(stream_);
+}
+
+void Terminal::line(const std::string& text, Tone tone) const {
+  write(painted(text, tone) + "\n");
 }
 
 void Terminal::progress(const Progress& p) {
-  const double fraction = fraction_of(p);
-  if (interactive_) {
-    fmt::print(stream_, "\r  {} {}\033[K", bar(fraction), describe(p));
-    std::fflush(stream_);
-    open_line_ = true;
-    return;
-  }
-  const int tenth = static_cast<int>(10.0 * fraction);
+  if (interactive_) return update_line(p);
+  const int tenth = static_cast<int>(10.0 * fraction_of(p));
   if (tenth == last_tenth_) return;
   last_tenth_ = tenth;
-  fmt::print(stream_, "  {:3d} %  {}\n", 10 * tenth, describe(p));
-  std::fflush(stream_);
+  write(fmt::format("  {:3d} %  {}\n", 10 * tenth, describe(p)));
+}
+
+void Terminal::update_line(const Progress& p) {
+  const Clock::time_point now = Clock::now();
+  if (open_line_ && now - last_update_ < between_updates && p.time < p.end_time) return;
+  last_update_ = now;
+  write("\r" + one_line(fraction_of(p), describe(p), columns_of(stream_)) + "\033[K");
+  open_line_ = true;
 }
 
 void Terminal::end_progress() {
-  if (open_line_) fmt::print(stream_, "\n");
+  if (open_line_) write("\n");
   open_line_ = false;
 }
 

@@ -1,6 +1,7 @@
 // The terminal: calm text, colour only where a person looks on, one progress line that updates.
 #pragma once
 
+#include <chrono>
 #include <cstdio>
 #include <string>
 
@@ -21,13 +22,18 @@ class Terminal {
   void end_progress();
 
  private:
+  using Clock = std::chrono::steady_clock;
+
   std::string painted(const std::string& text, Tone tone) const;
+  void write(const std::string& text) const;
+  void update_line(const Progress& progress);
 
   std::FILE* stream_;
   bool interactive_;
   bool colour_;
   int last_tenth_ = -1;
   bool open_line_ = false;
+  Clock::time_point last_update_ = {};
 };
 
 }  // namespace dougong::app

@@ -14,8 +14,9 @@ namespace {
 
 constexpr int width = 880, left = 84, top = 62, gap = 14, bottom = 60;  // px
 constexpr std::size_t bins = 900;                                       // samples drawn across a panel, twice
-constexpr double mark_room = 0.28;      // of the span, where labels of peaks stand
-constexpr double label_spacing = 15.0;  // px between labels at the ends
+constexpr double mark_room = 0.28;       // of the span, where labels of peaks stand
+constexpr double character_width = 6.3;  // px, mean of the subtitle's font
+constexpr double label_spacing = 15.0;   // px between labels at the ends
 
 std::string data_text(const Curve& curve) {
   const Points points = decimated(curve.x, curve.y, bins);
@@ -133,11 +134,12 @@ std::string plain_style() {
          "set xzeroaxis lt 1 lw 0.8 lc rgb '#8a8a8a'\nunset key\n";
 }
 
-std::string heading(const std::string& title, const std::string& subtitle, int, int height) {
+std::string heading(const std::string& title, const std::string& subtitle, int width_px, int height) {
+  const auto fits = static_cast<std::size_t>((width_px - 20) / character_width);
   return fmt::format("set label {} at screen 0.0115, screen {:.5f} left font ',15' tc rgb '{}'\n",
                      gnuplot_text(title), 1.0 - 17.0 / height, to_hex(ink::text)) +
          fmt::format("set label {} at screen 0.0115, screen {:.5f} left tc rgb '{}'\n",
-                     gnuplot_text(subtitle), 1.0 - 37.0 / height, to_hex(ink::quiet));
+                     gnuplot_text(shortened(subtitle, fits)), 1.0 - 37.0 / height, to_hex(ink::quiet));
 }
 
 Figure stacked(const Stack& asked) {

@@ -176,12 +176,20 @@ Panel energy_terms_panel(const RunResult& run) {
   return panel;
 }
 
+/// J, what the relative error is relative to: 0 when there is no error.
+double energy_turned_over(const EnergyHistory& e) {
+  const Range r = range_of(e.error);
+  const double largest = std::max(std::abs(r.low), std::abs(r.high));
+  return e.relative_error > 0.0 ? largest / e.relative_error : 0.0;
+}
+
 Panel energy_error_panel(const RunResult& run) {
   const EnergyHistory& e = run.energy;
   const auto& times = run.trajectory.times;
-  if (e.largest_input <= 0.0) return history_panel(times, {"Error (J)", &e.error, 1.0, "J"}, ink::lost, 100);
-  Panel panel = history_panel(times, {"Error (%)", &e.error, 100.0 / e.largest_input, "%"}, ink::lost, 100);
-  panel.note = "of the largest |input|";
+  const double whole = energy_turned_over(e);
+  if (!(whole > 0.0)) return history_panel(times, {"Error (J)", &e.error, 1.0, "J"}, ink::lost, 100);
+  Panel panel = history_panel(times, {"Error (%)", &e.error, 100.0 / whole, "%"}, ink::lost, 100);
+  panel.note = "of the energy turned over";
   return panel;
 }
 

@@ -127,6 +127,22 @@ Html number_box(const Number& n) {
          raw("</dd></div>\n");
 }
 
+Html numbers_caveat(const RunResult& run) {
+  if (run.verdict.kind != VerdictKind::numerically_invalid) {
+    return paragraph(
+        "Single run: no spread computed. How far these numbers would move under small changes is not known "
+        "from "
+        "this run.",
+        "quiet small");
+  }
+  return raw("<p class=\"bad\">") +
+         text(
+             "The numbers of this run failed: what is shown here and below explains the failure and says "
+             "nothing "
+             "about the building.") +
+         raw("</p>\n") + paragraph("Single run: no spread computed.", "quiet small");
+}
+
 Html numbers(const RunResult& run) {
   const bool fell = !run.response.losses.empty();
   Html out = raw("<dl class=\"numbers\">\n");
@@ -134,11 +150,7 @@ Html numbers(const RunResult& run) {
                           fell ? fallen_number(run) : acceleration_number(run)}) {
     out += number_box(n);
   }
-  return out + raw("</dl>\n") +
-         paragraph(
-             "Single run: no spread computed. How far these numbers would move under small changes is not "
-             "known from this run.",
-             "quiet small");
+  return out + raw("</dl>\n") + numbers_caveat(run);
 }
 
 }  // namespace

@@ -173,13 +173,14 @@ std::string overlap_words(const Numerics& n) {
 
 Html numerics_table(const RunResult& run) {
   const Numerics& n = run.numerics;
-  return table("", {{"Quantity", "", false}, {"Value", "", false}},
-               {{"Outcome", outcome_words(n)},
-                {"Integrator", n.integrator},
-                {"Step", significant(1e6 * n.step, 3) + " µs, " + step_share(n)},
-                {"Steps", std::to_string(n.steps) + ", " + plural(n.step_reductions, "reduction")},
-                {"Energy error", significant(100 * run.energy.relative_error, 2) + " % of the largest input"},
-                {"Deepest overlap", overlap_words(n)}});
+  return table(
+      "", {{"Quantity", "", false}, {"Value", "", false}},
+      {{"Outcome", outcome_words(n)},
+       {"Integrator", n.integrator},
+       {"Step", significant(1e6 * n.step, 3) + " µs, " + step_share(n)},
+       {"Steps", std::to_string(n.steps) + ", " + plural(n.step_reductions, "reduction")},
+       {"Energy error", significant(100 * run.energy.relative_error, 2) + " % of the energy turned over"},
+       {"Deepest overlap", overlap_words(n)}});
 }
 
 Html warning_list(const RunResult& run) {
@@ -234,7 +235,8 @@ Html page_energy(const RunResult& run, const std::vector<Picture>& pictures) {
   return paragraph(
              "What the ground put in equals what moves, was lifted, is stored in contacts or was dissipated. "
              "The rest is error: " +
-             significant(100 * run.energy.relative_error, 2) + " % of the largest input at most.") +
+             significant(100 * run.energy.relative_error, 2) +
+             " % at most of the energy turned over (the input and what gravity gave).") +
          plot(pictures, "energy", "Cumulated energies; below, the error of their balance.", "energy.csv");
 }
 

@@ -122,7 +122,7 @@ void draw_block(Drawing& drawing, const DrawnShape& block, const Pose& pose, con
   if (!drawable(outline)) return;
   const double width = block.outline.empty()
                            ? outline_width
-                           : std::clamp(0.07 * smallest_side(outline) / scale, 0.3, outline_width);
+                           : std::clamp(0.1 * smallest_side(outline) / scale, 0.35, outline_width);
   drawing.polygon(outline, fill);
   drawing.outline(outline, width * scale, ink::outline);
   if (block.outline.empty())
@@ -286,7 +286,7 @@ int columns_for(std::size_t frames, double aspect) {
   const int n = static_cast<int>(frames);
   if (n == 4) return aspect > 1.25 ? 2 : 4;
   if (aspect > 1.9) return std::min(n, 2);
-  if (aspect > 1.25) return std::min(n, 3);
+  if (aspect > 1.25) return n > 6 && aspect < 1.6 ? 4 : std::min(n, 3);
   if (aspect > 0.62) return n == 5 || n == 6 ? 3 : std::min(n, 4);
   return n <= 6 ? n : (n + 1) / 2;
 }

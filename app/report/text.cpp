@@ -70,7 +70,7 @@ std::string drift_percent(double ratio) {
 std::string drift_fraction(double ratio) {
   if (!std::isfinite(ratio)) return std::string(not_available);
   if (std::abs(ratio) < 1e-5) return "0";
-  return fmt::format("1/{:.0f}", 1.0 / std::abs(ratio));
+  return fmt::format("1/{:.{}f}", 1.0 / std::abs(ratio), std::abs(ratio) > 0.1 ? 1 : 0);
 }
 
 std::string acceleration_g(double acceleration) {
@@ -119,6 +119,15 @@ std::string escape_markup(std::string_view text) {
     }
   }
   return out;
+}
+
+std::string shortened(std::string_view text, std::size_t most) {
+  std::size_t characters = 0, keep = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool starts_one = (static_cast<unsigned char>(text[i]) & 0xc0) != 0x80;
+    if (starts_one && ++characters == most) keep = i;
+  }
+  return characters <= most ? std::string(text) : std::string(text.substr(0, keep)) + "…";
 }
 
 std::string plural(std::size_t count, std::string_view noun) {

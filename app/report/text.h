@@ -30,6 +30,8 @@ std::string mass_text(double kilograms);  // "850 kg", "12.4 t"
 
 /// Text made safe for HTML and SVG, in content and in quoted attributes.
 std::string escape_markup(std::string_view text);
+/// At most so many characters, the last of them an ellipsis when something was cut.
+std::string shortened(std::string_view text, std::size_t most);
 /// A count with its noun.
 std::string plural(std::size_t count, std::string_view noun);  // "1 block", "3 blocks"
 

@@ -10,11 +10,13 @@ namespace dougong::app {
 struct Progress {
   double time = 0.0, end_time = 0.0;  // s
   double peak_drift = 0.0;            // -, largest interstorey drift ratio so far, signed
-  double energy_error = 0.0;          // -, of the largest input so far
+  double energy_error = 0.0;          // -, of the energy turned over so far
 };
 /// Returns false to interrupt the run: what was reached is kept and marked as partial.
 using ProgressObserver = std::function<bool(const Progress&)>;
 
-RunResult execute(Preparation& preparation, const std::string& command, const ProgressObserver& progress = {});
+/// Throws std::invalid_argument when the step that was asked for is above the stability bound.
+RunResult execute(Preparation& preparation, const std::string& command,
+                  const ProgressObserver& progress = {});
 
 }  // namespace dougong::app

@@ -13,7 +13,9 @@ std::size_t largest_at(const std::vector<double>& values) {
 
 void add_strongest_shaking(const RunResult& r, std::vector<Moment>& moments) {
   if (r.motion.acceleration_x.empty()) return;
-  moments.push_back({r.motion.times[largest_at(r.motion.acceleration_x)], "strongest shaking"});
+  const std::size_t strongest = largest_at(r.motion.acceleration_x);
+  if (r.motion.acceleration_x[strongest] != 0.0)
+    moments.push_back({r.motion.times[strongest], "strongest shaking"});
 }
 
 void add_peak_drift(const RunResult& r, std::vector<Moment>& moments) {
@@ -21,7 +23,8 @@ void add_peak_drift(const RunResult& r, std::vector<Moment>& moments) {
   for (const auto& storey : r.response.storeys)
     if (!worst || std::abs(storey.peak_drift.largest().value) > std::abs(worst->peak_drift.largest().value))
       worst = &storey;
-  if (worst) moments.push_back({worst->peak_drift.largest().time, "peak drift, " + worst->name});
+  if (worst && worst->peak_drift.largest().value != 0.0)
+    moments.push_back({worst->peak_drift.largest().time, "peak drift, " + worst->name});
 }
 
 void add_losses(const RunResult& r, std::vector<Moment>& moments) {
@@ -45,7 +48,8 @@ std::vector<Moment> moments_of(const RunResult& result) {
   add_strongest_shaking(result, moments);
   moments.push_back({end, "end"});
   std::erase_if(moments, [end](const Moment& m) { return m.time > end; });
-  std::stable_sort(moments.begin(), moments.end(), [](const Moment& a, const Moment& b) { return a.time < b.time; });
+  std::stable_sort(moments.begin(), moments.end(),
+                   [](const Moment& a, const Moment& b) { return a.time < b.time; });
   const auto same = [](const Moment& a, const Moment& b) { return b.time - a.time < same_moment; };
   moments.erase(std::unique(moments.begin(), moments.end(), same), moments.end());
   return moments;

@@ -1,5 +1,8 @@
 #include "app/study/prepare.h"
 
+#include <fmt/format.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <chrono>
 
@@ -11,7 +14,8 @@ using Clock = std::chrono::steady_clock;
 void refuse_errors(const std::vector<structures::Finding>& findings) {
   std::string errors;
   for (const structures::Finding& finding : findings)
-    if (finding.severity == structures::Severity::error) errors += (errors.empty() ? "" : "\n") + finding.message;
+    if (finding.severity == structures::Severity::error)
+      errors += (errors.empty() ? "" : "\n") + finding.message;
   if (!errors.empty()) throw ModelError(errors);
 }
 
@@ -45,11 +49,35 @@ void find_period(Preparation& p) {
       p.period = mode.period(), p.participation = mode.participation;
 }
 
+void refuse_unstable_step(const Preparation& p) {
+  if (!p.drive.step || *p.drive.step <= p.plan.bound) return;
+  throw std::invalid_argument(
+      fmt::format("solve.step: expected at most the stability bound of {:.3g} s, found {:.6g} s",
+                  p.plan.bound, *p.drive.step));
+}
+
+double machine_memory() {
+  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
+}
+
+// A run that cannot keep its output is found out before it starts. Pose and acceleration of every block
+// and a dozen histories, held twice: as computed and as read back for the report.
+void refuse_too_much_output(const Preparation& p) {
+  const double samples = p.duration / p.plan.output_interval;
+  const double values = samples * (4.0 * static_cast<double>(p.model.body_count) + 12.0);
+  const double needed = 2.0 * sizeof(double) * values, available = machine_memory();
+  if (needed <= available) return;
+  throw std::invalid_argument(fmt::format(
+      "output.rate: expected results that fit into the memory of {:.3g} GB, found {:.3g} GB: {:.3g} output "
+      "times of {} blocks",
+      available / 1e9, needed / 1e9, samples, p.model.body_count));
+}
+
 // A trial of a few hundred steps on a copy: what the machine at hand really needs.
 double estimate_cost(const Preparation& p) {
   engine::State trial = p.state;
   engine::DriveOptions options = p.drive;
-  options.end_time = std::min(p.duration, std::max(p.plan.output_interval, 300.0 * p.plan.step));
+  options.end_time = options.output_interval = std::min(p.duration, 300.0 * p.plan.step);
   const auto start = Clock::now();
   const engine::RunOutcome run = engine::drive(p.model, trial, options, {});
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
@@ -73,9 +101,8 @@ Preparation prepare(const Scenario& scenario, const std::filesystem::path& recor
   p.duration = duration_of(scenario, p.motion);
   p.drive = drive_options(scenario, p.duration);
   p.plan = engine::plan_steps(p.model, p.state, p.drive);
-  if (p.drive.step && *p.drive.step > p.plan.bound)
-    throw std::invalid_argument("solve.step: expected at most the stability bound of " +
-                                std::to_string(p.plan.bound) + " s, found " + std::to_string(*p.drive.step) + " s");
+  refuse_unstable_step(p);
+  refuse_too_much_output(p);
   p.estimated_seconds = estimate_cost(p);
   return p;
 }

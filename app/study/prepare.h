@@ -20,7 +20,6 @@ struct Preparation {
   MotionInput motion;
   engine::Model model;
   engine::State state;  // settled
-  std::vector<engine::Vec2> settled_positions;  // m, of the bodies
   engine::SettleReport settle;
   double period = 0.0;         // s, of the horizontal mode that carries most mass; 0 when there is none
   double participation = 0.0;  // of the mass

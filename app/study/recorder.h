@@ -25,8 +25,9 @@ class Recorder {
   double level_displacement(const std::vector<std::size_t>& blocks) const;
 
   const Preparation& preparation_;
-  double first_balance_ = 0.0;  // J
+  engine::Energies first_;
   double largest_error_ = 0.0;  // J
+  double turnover_ = 0.0;       // J, greatest sum of |input| and of what gravity gave
   double peak_drift_ = 0.0;
   double greatest_speed_ = 0.0;
 };

@@ -75,7 +75,9 @@ struct MotionSheet {
 struct EnergyHistory {
   std::vector<double> input, kinetic, gravity, elastic, friction, damping, error;
   double largest_input = 0.0;    // J, greatest |input|
-  double relative_error = 0.0;   // greatest |error| over largest_input
+  /// Greatest |error| over the energy turned over: the greatest sum of |input| and of what gravity gave. A
+  /// collapse is driven by gravity, whose energy is a hundred times that of the shaking.
+  double relative_error = 0.0;
 };
 
 struct SettleSheet {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <fstream>
-#include <sstream>
+#include <iterator>
 
 #include "app/study/scenario_entries.h"
 #include "app/study/scenario_keys.h"
@@ -208,6 +208,14 @@ class Reader {
   std::vector<LocatedMessage> errors_;
 };
 
+/// A path in a scenario file is meant from where that file lies.
+void find_record_beside(const std::filesystem::path& scenario_file, std::vector<Entry>& entries) {
+  for (Entry& entry : entries) {
+    auto* text = entry.key == "record.file" ? std::get_if<std::string>(&entry.value) : nullptr;
+    if (text && !text->empty()) *text = (scenario_file.parent_path() / *text).string();
+  }
+}
+
 Scenario read_entries(std::vector<Entry> entries, const std::string& source,
                       const std::vector<Override>& overrides, RecordRule rule) {
   for (const Override& change : overrides) entries.push_back(entry_of_override(change));
@@ -242,11 +250,15 @@ Scenario read_scenario(const std::string& text, const std::string& source,
 
 Scenario load_scenario(const std::filesystem::path& path, const std::vector<Override>& overrides,
                        RecordRule rule) {
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error))
+    throw ScenarioError({{path.string(), "expected a scenario file, found a folder"}});
   std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  if (!file || !(text << file.rdbuf()))
-    throw ScenarioError({{path.string(), "expected a scenario file, found nothing that can be read"}});
-  return read_scenario(text.str(), path.string(), overrides, rule);
+  if (!file) throw ScenarioError({{path.string(), "expected a scenario file, found nothing that can be read"}});
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  std::vector<Entry> entries = entries_of_toml(text, path.string());
+  find_record_beside(path, entries);
+  return read_entries(std::move(entries), path.string(), overrides, rule);
 }
 
 Scenario scenario_from(const std::vector<Override>& overrides, RecordRule rule) {

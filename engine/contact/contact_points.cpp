@@ -6,20 +6,33 @@
 namespace dougong::engine {
 namespace {
 
-PointGeometry corner_edge_geometry(const ContactPoints& points, std::size_t i, const Frame& corner,
-                                   const Frame& edge) {
-  const Vec2 normal = edge.turned_to_world(points.edge_normal[i]);
-  const Vec2 arm = corner.turned_to_world(points.corner[i]);
-  const Vec2 edge_arm = edge.turned_to_world(points.edge_point[i]);
-  const Vec2 between = corner.position() - edge.position();
-  const Vec2 d = between + arm - edge_arm;
+// The part of a corner-edge geometry that tells whether the point touches at all.
+struct Approach {
+  Vec2 normal, arm;  // arm: from the corner body's centroid to the corner
+  Vec2 reach;        // from the edge body's centroid to the corner
+  double overlap;
+};
+
+inline Approach approach_of(const ContactPoints& points, std::size_t i, const Frame& corner, const Frame& edge) {
+  Approach a;
+  a.normal = edge.turned_to_world(points.edge_normal[i]);
+  a.arm = corner.turned_to_world(points.corner[i]);
+  a.reach = corner.position() - edge.position() + a.arm;
+  a.overlap = points.radius[i] + points.edge_offset[i].x - dot(a.normal, a.reach);
+  return a;
+}
+
+inline PointGeometry corner_edge_geometry(const ContactPoints& points, std::size_t i, const Approach& a,
+                                          const Frame& corner, const Frame& edge) {
   const double rho = points.radius[i];
+  const PointHistory& past = points.history[i];
   PointGeometry g;
-  g.normal = normal;
-  g.overlap = rho - dot(normal, d);
-  g.slip = dot(turned(normal), d) - rho * (corner.angle - edge.angle) - points.history[i].anchor;
-  g.arm_corner = arm - rho * normal;
-  g.arm_edge = between + g.arm_corner;
+  g.normal = a.normal;
+  g.overlap = a.overlap;
+  g.arm_corner = a.arm - rho * a.normal;
+  g.arm_edge = a.reach - rho * a.normal;
+  g.position = dot(turned(a.normal), a.reach) - points.edge_offset[i].y - rho * (corner.angle - edge.angle);
+  g.slip = past.open ? 0.0 : g.position - past.anchor;
   return g;
 }
 
@@ -34,8 +47,10 @@ PointGeometry round_geometry(const ContactPoints& points, std::size_t i, const F
   g.overlap = points.radius[i] - distance;
   const double other = points.other_radius[i];
   // Rate of slip: D phi' - (D - r_o) theta_corner' - r_o theta_edge', D the distance of the centres.
-  g.slip = distance * cross(past.direction, g.normal) - (distance - other) * (corner.angle - past.angle_corner) -
-           other * (edge.angle - past.angle_edge) - past.anchor;
+  const double slipped = distance * cross(past.direction, g.normal) -
+                         (distance - other) * (corner.angle - past.angle_corner) -
+                         other * (edge.angle - past.angle_edge);
+  g.slip = past.open ? 0.0 : slipped - past.anchor;
   g.arm_edge = edge_arm + other * g.normal;
   g.arm_corner = g.arm_edge - between;
   return g;
@@ -51,16 +66,16 @@ PointRates rates_of(const PointGeometry& g, const Frame& corner, const Frame& ed
   return {-dot(g.normal, u), dot(turned(g.normal), u)};
 }
 
-// An open point follows its slip, so that it is relaxed when it touches again.
-void commit_history(ContactPoints& points, std::size_t i, const PointGeometry& g, double normal, const Frame& corner,
-                    const Frame& edge) {
-  const PointStiffness& law = points.stiffness[i];
+// Coulomb's return: the anchor follows what the friction cannot hold.
+inline void commit_history(ContactPoints& points, std::size_t i, const PointGeometry& g, double limit,
+                           const Frame& corner, const Frame& edge) {
+  const double kept = returned_slip(g.slip, points.stiffness[i].tangential, limit);
   PointHistory& past = points.history[i];
-  const double kept = returned_slip(g.slip, law.tangential, law.friction * normal);
+  past.open = false;
   if (points.kind[i] == FeatureKind::round) {
-    past = {-kept, g.normal, corner.angle, edge.angle};
+    past = {-kept, false, g.normal, corner.angle, edge.angle};
   } else {
-    past.anchor += g.slip - kept;
+    past.anchor = g.position - kept;
   }
 }
 
@@ -69,7 +84,7 @@ void commit_history(ContactPoints& points, std::size_t i, const PointGeometry& g
 void ContactPoints::resize(std::size_t n) {
   kind.resize(n);
   corner_body.resize(n), edge_body.resize(n);
-  corner.resize(n), edge_point.resize(n), edge_normal.resize(n);
+  corner.resize(n), edge_point.resize(n), edge_normal.resize(n), edge_offset.resize(n);
   radius.resize(n), other_radius.resize(n);
   stiffness.resize(n), inverse_width.resize(n), history.resize(n);
 }
@@ -78,6 +93,7 @@ void ContactPoints::set(std::size_t i, const Feature& f, const PointStiffness& l
   kind[i] = f.kind;
   corner_body[i] = f.corner_body, edge_body[i] = f.edge_body;
   corner[i] = f.corner, edge_point[i] = f.edge_point, edge_normal[i] = f.edge_normal;
+  edge_offset[i] = {dot(f.edge_normal, f.edge_point), dot(turned(f.edge_normal), f.edge_point)};
   radius[i] = f.radius, other_radius[i] = f.other_radius;
   stiffness[i] = law;
   inverse_width[i] = 1.0 / width;
@@ -85,37 +101,52 @@ void ContactPoints::set(std::size_t i, const Feature& f, const PointStiffness& l
 
 PointGeometry geometry_of(const ContactPoints& points, std::size_t i, std::span<const Frame> frames) {
   const Frame &corner = frames[points.corner_body[i]], &edge = frames[points.edge_body[i]];
-  return points.kind[i] == FeatureKind::corner_edge ? corner_edge_geometry(points, i, corner, edge)
-                                                    : round_geometry(points, i, corner, edge);
+  if (points.kind[i] == FeatureKind::round) return round_geometry(points, i, corner, edge);
+  return corner_edge_geometry(points, i, approach_of(points, i, corner, edge), corner, edge);
 }
+
+namespace {
+
+// Force of one touching point; adds its powers to the totals. Returns Coulomb's limit.
+inline double touch(const PointStiffness& law, const PointGeometry& g, const Frame& corner, const Frame& edge,
+                    PointLoad& load, ContactTotals& totals) {
+  const PointRates rate = rates_of(g, corner, edge);
+  const double normal = normal_force(law.normal, law.normal_damping, g.overlap, rate.overlap);
+  const double limit = law.friction * normal;
+  const double wanted = law.tangential * g.slip + law.tangential_damping * rate.slip;
+  const double tangential = -friction_force(wanted, limit);
+  const Vec2 force = normal * g.normal + tangential * turned(g.normal);
+  load = {force.x, force.y, cross(g.arm_corner, force), -cross(g.arm_edge, force)};
+
+  const bool slips = std::abs(wanted) > limit;
+  const double viscous = slips ? 0.0 : law.tangential_damping * rate.slip * rate.slip;
+  totals.damping_power += (normal - law.normal * g.overlap) * rate.overlap + viscous;
+  totals.tangential_power += -tangential * rate.slip - viscous;
+  return limit;
+}
+
+}  // namespace
 
 ContactTotals contact_forces(ContactPoints& points, std::span<const Frame> frames, bool commit,
                              std::span<PointLoad> loads) {
   ContactTotals totals;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const PointGeometry g = geometry_of(points, i, frames);
-    PointLoad& load = loads[i];
-    load = {};
-    if (g.overlap <= 0.0) {
-      if (commit) commit_history(points, i, g, 0.0, frames[points.corner_body[i]], frames[points.edge_body[i]]);
+    const Frame &corner = frames[points.corner_body[i]], &edge = frames[points.edge_body[i]];
+    PointGeometry g;
+    if (points.kind[i] == FeatureKind::corner_edge) {
+      const Approach a = approach_of(points, i, corner, edge);
+      if (a.overlap > 0.0) g = corner_edge_geometry(points, i, a, corner, edge);
+    } else {
+      g = round_geometry(points, i, corner, edge);
+    }
+    if (!(g.overlap > 0.0)) {
+      loads[i] = {};
+      if (commit) points.history[i].open = true;
       continue;
     }
-    const Frame &corner = frames[points.corner_body[i]], &edge = frames[points.edge_body[i]];
-    const PointStiffness& law = points.stiffness[i];
-    const PointRates rate = rates_of(g, corner, edge);
-    const double normal = normal_force(law.normal, law.normal_damping, g.overlap, rate.overlap);
-    const double limit = law.friction * normal;
-    const double wanted = law.tangential * g.slip + law.tangential_damping * rate.slip;
-    const double tangential = -friction_force(wanted, limit);
-    const Vec2 force = normal * g.normal + tangential * turned(g.normal);
-    load = {force.x, force.y, cross(g.arm_corner, force), -cross(g.arm_edge, force)};
-
-    const bool slips = std::abs(wanted) > limit;
-    const double viscous = slips ? 0.0 : law.tangential_damping * rate.slip * rate.slip;
-    totals.damping_power += (normal - law.normal * g.overlap) * rate.overlap + viscous;
-    totals.tangential_power += -tangential * rate.slip - viscous;
+    const double limit = touch(points.stiffness[i], g, corner, edge, loads[i], totals);
     if (!commit) continue;
-    commit_history(points, i, g, normal, corner, edge);
+    commit_history(points, i, g, limit, corner, edge);
     const double ratio = g.overlap * points.inverse_width[i];
     if (ratio > totals.deepest_ratio) totals.deepest_ratio = ratio, totals.deepest_point = i;
   }

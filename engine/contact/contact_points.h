@@ -15,9 +15,11 @@
 
 namespace dougong::engine {
 
-/// What a point remembers: where its friction spring is relaxed.
+/// What a point remembers: where its friction spring is relaxed. An open point has no spring: it is
+/// anchored where it touches next.
 struct PointHistory {
   double anchor = 0.0;  // m
+  bool open = true;
   // Round contacts only: direction of the line of centres and angles when anchor was committed.
   Vec2 direction{0.0, 1.0};
   double angle_corner = 0.0, angle_edge = 0.0;  // rad
@@ -41,6 +43,7 @@ struct ContactPoints {
   std::vector<FeatureKind> kind;
   std::vector<Index> corner_body, edge_body;
   std::vector<Vec2> corner, edge_point, edge_normal;
+  std::vector<Vec2> edge_offset;  // m, edge_point along the normal and along the tangent
   std::vector<double> radius, other_radius;
   std::vector<PointStiffness> stiffness;
   std::vector<double> inverse_width;  // 1/m
@@ -57,7 +60,8 @@ struct PointGeometry {
   Vec2 arm_corner;      // m, from the corner body's centroid to the contact point
   Vec2 arm_edge;        // m
   double overlap = 0.0; // m, > 0 when touching
-  double slip = 0.0;    // m, from the anchor
+  double slip = 0.0;    // m, from the anchor; 0 for an open point
+  double position = 0.0;  // m, of the corner along the edge; unused for round contacts
 };
 PointGeometry geometry_of(const ContactPoints& points, std::size_t i, std::span<const Frame> frames);
 

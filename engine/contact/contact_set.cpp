@@ -62,12 +62,12 @@ bool same_features(const Manifold& a, const Manifold& b) {
   return true;
 }
 
-// The spring starts relaxed, or with the slip that another feature hands over.
+// A history whose spring holds the slip that another feature hands over.
 PointHistory history_with_slip(const ContactPoints& points, std::size_t i, std::span<const Frame> frames, double slip) {
   const Frame &corner = frames[points.corner_body[i]], &edge = frames[points.edge_body[i]];
   const PointGeometry g = geometry_of(points, i, frames);
-  if (points.kind[i] == FeatureKind::round) return {-slip, g.normal, corner.angle, edge.angle};
-  return {points.history[i].anchor + g.slip - slip, {0.0, 1.0}, 0.0, 0.0};
+  if (points.kind[i] == FeatureKind::round) return {-slip, false, g.normal, corner.angle, edge.angle};
+  return {g.position - slip, false};
 }
 
 }  // namespace
@@ -129,13 +129,9 @@ void ContactSet::write_points(const Model& model, std::span<const Frame> frames,
     }
     const Feature& feature = pair.manifold.features[k];
     points.set(i, feature, point_stiffness(model, frames, pair.manifold, feature, a, b), width);
-    bool kept = false;
-    for (Index l = 0; l < old.count && !kept; ++l)
-      if (old.features[l].identity == feature.identity) points.history[i] = old_history[l], kept = true;
-    if (!kept) {
-      points.history[i] = {};
-      points.history[i] = history_with_slip(points, i, frames, 0.0);
-    }
+    points.history[i] = {};
+    for (Index l = 0; l < old.count; ++l)
+      if (old.features[l].identity == feature.identity) points.history[i] = old_history[l];
   }
 }
 
@@ -165,7 +161,7 @@ bool ContactSet::refresh(const Model& model, std::span<const Frame> frames, Cont
   for (Index k = 0; k < std::min(old.count, pair.manifold.count); ++k) {
     const auto identity = pair.manifold.features[k].identity;
     if (identity == old.features[0].identity || (old.count > 1 && identity == old.features[1].identity)) continue;
-    if (norm(place(k) - old_place[k]) > 2.0 * pair.margin) continue;
+    if (history[k].open || norm(place(k) - old_place[k]) > 2.0 * pair.margin) continue;
     // Corner and edge may have changed sides: both the tangent and the motion turn round, so slip stays.
     points.history[pair.first_point + k] = history_with_slip(points, pair.first_point + k, frames, slip[k]);
   }

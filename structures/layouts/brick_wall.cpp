@@ -9,12 +9,15 @@ namespace {
 
 using enum Dimension;
 
-// Old brickwork in lime mortar, taken as one material: E of the wall rather than of the brick.
+// Dry brickwork taken as one material: E of the wall, its joints included, rather than of the brick. Each
+// brick rests on two neighbours over the whole face; a ratio of 0.3 settles such faces without making the
+// step as short as the plastic landing of a single corner (1) would.
 engine::Material masonry() {
   engine::Material material;
   material.name = "masonry";
   material.density = 1800.0;
-  material.young_modulus = 5e9;
+  material.young_modulus = 1e9;
+  material.damping_ratio = 0.3;
   material.friction_coefficient = 0.65;
   return material;
 }

@@ -126,6 +126,13 @@ TEST(Page, SaysTheVerdictTheNumbersAndThatThereIsNoSpread) {
   EXPECT_THAT(page, Not(HasSubstr("Partial run.")));
 }
 
+TEST(Page, AFailedRunSaysThatItsNumbersAreNoResult) {
+  RunResult run = fixtures::collapsed();
+  EXPECT_THAT(page_of(run), Not(HasSubstr("says nothing about the building")));
+  run.verdict.kind = structures::VerdictKind::numerically_invalid;
+  EXPECT_THAT(page_of(run), HasSubstr("says nothing about the building"));
+}
+
 TEST(Page, NeedsNoNetwork) {
   const TemporaryDirectory folder;
   write_report(fixtures::survived(), folder.path());

@@ -187,6 +187,9 @@ TEST(Text, PrintsWhatAReaderExpects) {
   EXPECT_EQ(drift_percent(0.0042), "+0.42 %");
   EXPECT_EQ(drift_percent(-0.0123), "−1.23 %");
   EXPECT_EQ(drift_fraction(-0.0042), "1/238");
+  EXPECT_EQ(drift_fraction(0.528), "1/1.9");
+  EXPECT_EQ(shortened("θθθθ", 4), "θθθθ");
+  EXPECT_EQ(shortened("θθθθθ", 4), "θθθ…");
   EXPECT_EQ(fixed(-0.001, 2), "0.00");
   EXPECT_EQ(significant(3.2e-7, 2), "3.2 × 10⁻⁷");
   EXPECT_EQ(significant(0.35, 3), "0.350");

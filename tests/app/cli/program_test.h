@@ -1,0 +1,54 @@
+// The built program as a person meets it: run in a folder of its own, with what it printed and left there.
+#pragma once
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "app/report/safe_file.h"
+
+namespace dougong::app {
+
+struct Ran {
+  int exit_code = -1;  // -1 when a signal ended it
+  int signal = 0;
+  std::string out, err;
+};
+
+struct Surroundings {
+  std::map<std::string, std::string> environment;  // added to that of the test
+  std::size_t largest_file = 0;                    // bytes a file may grow to; 0: any
+  bool as_nobody = false;                          // gives up the rights of root
+  int signal = 0;                                  // sent ...
+  std::string when_it_says;                        // ... as soon as standard output holds this
+};
+
+class ProgramTest : public testing::Test {
+ protected:
+  /// Runs `dougong arguments...` in folder().
+  Ran run(const std::vector<std::string>& arguments, const Surroundings& around = {}) const;
+
+  const std::filesystem::path& folder() const { return folder_.path(); }
+  std::filesystem::path write(const std::string& name, const std::string& text) const;
+  std::string read(const std::string& name) const { return read_file(folder() / name); }
+  bool exists(const std::string& name) const { return std::filesystem::exists(folder() / name); }
+  /// Every file and folder below folder(), sorted.
+  std::vector<std::string> listing() const;
+
+  /// Exit code 2, each of the words on standard error, nothing written and nothing changed.
+  void expect_refusal(const std::vector<std::string>& arguments, const std::vector<std::string>& words,
+                      const Surroundings& around = {}) const;
+
+ private:
+  TemporaryDirectory folder_, outputs_;
+};
+
+/// A run of the four-storey building that takes a second.
+std::vector<std::string> short_run(const std::string& out, const std::vector<std::string>& more = {});
+
+}  // namespace dougong::app

@@ -1,0 +1,11 @@
+# Runs both programs and fails unless they print the same lines.
+foreach(program OPTIMISED UNOPTIMISED)
+  execute_process(COMMAND ${${program}} OUTPUT_VARIABLE ${program}_lines RESULT_VARIABLE result)
+  if(NOT result EQUAL 0 OR "${${program}_lines}" STREQUAL "")
+    message(FATAL_ERROR "${${program}} failed: ${result}")
+  endif()
+endforeach()
+if(NOT OPTIMISED_lines STREQUAL UNOPTIMISED_lines)
+  message(FATAL_ERROR "the bits differ:\n${OPTIMISED_lines}unoptimised:\n${UNOPTIMISED_lines}")
+endif()
+message(STATUS "the same bits:\n${OPTIMISED_lines}")

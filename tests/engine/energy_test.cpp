@@ -1,0 +1,131 @@
+#include "engine/energy.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "engine/settle.h"
+#include "tests/scenes/running.h"
+
+namespace dougong::engine {
+namespace {
+
+using scenes::run_for;
+using scenes::Running;
+
+TEST(Energies, OfABlockInFlightAreKineticAndGravity) {
+  Scene s = scenes::scene(0.6);
+  s.bodies.push_back(scenes::block(0.5, 0.2, {0.0, 5.0}));
+  s.bodies[0].velocity = {3.0, 4.0};
+  s.bodies[0].spin = 1.5;
+  Running r(s);
+  const Energies e = r.energies();
+  const double m = 2400.0 * 0.4, i = m * (1.0 + 0.16) / 12.0;
+  EXPECT_NEAR(e.kinetic, 0.5 * m * 25.0 + 0.5 * i * 2.25, 1e-9);
+  EXPECT_EQ(e.elastic, 0.0);
+  r.run(run_for(0.5));
+  EXPECT_NEAR(r.energies().gravity - e.gravity, m * 9.81 * (r.position().y - 5.0), 1e-8);
+  EXPECT_NEAR(r.energies().balance(), e.balance(), 1e-8);
+}
+
+TEST(Energies, OfASlidingBlockGoToFriction) {
+  for (const double mu : {0.2, 0.5}) {
+    Scene s = scenes::block_on_ground(0.5, 0.05, mu, 3e9);
+    Running r(s);
+    settle(r.model, r.state);
+    r.state.v()[0] = 1.0;
+    const Energies start = r.energies();
+    r.run(run_for(1.0));
+    const Energies end = r.energies();
+    EXPECT_NEAR(end.friction / start.kinetic, 1.0, 2e-3);
+    EXPECT_NEAR(end.balance() - start.balance(), 0.0, 1e-3 * start.kinetic);
+    EXPECT_LT(end.kinetic, 1e-9 * start.kinetic);
+  }
+}
+
+TEST(Energies, OfAnElasticBounceComeBack) {
+  Scene s = scenes::scene(0.0, 1e8, 0.0);
+  s.bodies.push_back(scenes::block(0.5, 0.2, {0.0, 0.2 + 0.01}));
+  s.terrains.push_back(scenes::ground());
+  Running r(s);
+  const Energies start = r.energies();
+  DriveOptions options = run_for(0.2, 1e-3);
+  options.step_fraction = 0.05;
+  double most_elastic = 0.0, worst = 0.0;
+  const double fallen = r.model.mass[0] * 9.81 * 0.01;
+  r.run(options, [&](const Sample& sample) {
+    const Energies e = energies_of(r.model, sample.state);
+    most_elastic = std::max(most_elastic, e.elastic);
+    worst = std::max(worst, std::abs(e.balance() - start.balance()));
+    return Wish::go_on;
+  });
+  EXPECT_GT(most_elastic, 0.9 * fallen);
+  EXPECT_LT(worst, 0.01 * fallen);
+  EXPECT_EQ(r.energies().damping, 0.0);
+  EXPECT_NEAR(r.energies().friction, 0.0, 1e-9 * fallen);
+}
+
+TEST(Energies, OfAPlasticImpactGoToTheDashpots) {
+  Scene s = scenes::scene(0.6, 1e8, 1.0);
+  s.bodies.push_back(scenes::block(0.5, 0.2, {0.0, 0.2 + 0.01}));
+  s.terrains.push_back(scenes::ground());
+  Running r(s);
+  const double start = r.energies().balance(), fallen = r.model.mass[0] * 9.81 * 0.01;
+  DriveOptions options = run_for(1.0, 1e-3);
+  options.step_fraction = 0.2;
+  r.run(options);
+  EXPECT_NEAR(r.energies().damping / fallen, 1.0, 0.02);
+  EXPECT_NEAR(r.energies().balance() - start, 0.0, 0.01 * fallen);
+}
+
+// A ground that pulls a block along puts in force times velocity: the block's kinetic energy and, while
+// it slips, the friction that the relative motion eats.
+TEST(Energies, GetTheirInputFromTheMovingGround) {
+  const double a = 4.0, mu = 0.2;
+  Scene s = scenes::block_on_ground(0.5, 0.05, mu, 3e9);
+  s.terrains[0].motion = scenes::horizontal_motion([=](double) { return a; }, [=](double t) { return a * t; },
+                                                   [=](double t) { return 0.5 * a * t * t; });
+  Running r(s);
+  settle(r.model, r.state);
+  const double start = r.energies().balance();
+  r.run(run_for(0.5));
+  const Energies e = r.energies();
+  const double m = r.model.mass[0], pull = mu * m * 9.81;
+  EXPECT_NEAR(e.input / (pull * 0.5 * a * 0.25), 1.0, 2e-3);
+  EXPECT_NEAR(e.friction / (pull * 0.5 * (a - mu * 9.81) * 0.25), 1.0, 5e-3);
+  EXPECT_LT(std::abs(e.balance() - start), 1e-3 * e.input);
+}
+
+// The whole ledger of a shaken wall: every loss is a loss, and nothing is made.
+TEST(Energies, OfAShakenWallBalance) {
+  Scene s = scenes::wall(3, 4, 0.6, 1e9);
+  const double w = 2.0 * std::numbers::pi * 2.0, a = 3.0;
+  s.terrains[0].motion =
+      scenes::horizontal_motion([=](double t) { return a * std::sin(w * t); },
+                                [=](double t) { return a / w * (1.0 - std::cos(w * t)); },
+                                [=](double t) { return a / w * (t - std::sin(w * t) / w); });
+  for (const char* integrator : {"velocity-verlet", "symplectic-euler", "rk4"}) {
+    Running r(s);
+    ASSERT_TRUE(settle(r.model, r.state).settled);
+    const double start = r.energies().balance();
+    double worst = 0.0, input = 0.0;
+    Energies last{};
+    const RunOutcome run = r.run(run_for(1.0, 0.01, integrator), [&](const Sample& sample) {
+      const Energies e = energies_of(r.model, sample.state);
+      worst = std::max(worst, std::abs(e.balance() - start));
+      input = std::max(input, e.input);
+      EXPECT_GE(e.friction, -1e-6 * (1.0 + input)) << integrator << " " << sample.state.time;
+      EXPECT_GE(e.damping, last.damping - 1e-9 * (1.0 + input)) << integrator << " " << sample.state.time;
+      last = e;
+      return Wish::go_on;
+    });
+    EXPECT_EQ(run.outcome, Outcome::completed);
+    EXPECT_LT(worst, 0.01 * input) << integrator;
+    ::testing::Test::RecordProperty(std::string(integrator) + " ledger error over input", std::to_string(worst / input));
+    std::printf("ledger %s wall: error/input %.3g\n", integrator, worst / input);
+  }
+}
+
+}  // namespace
+}  // namespace dougong::engine

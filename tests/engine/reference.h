@@ -1,0 +1,27 @@
+// One line for every value that is measured against a reference, so that docs/validation.md can be
+// checked against what the tests print: "case quantity reference measured error tol".
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+namespace dougong::testing {
+
+inline void report(const std::string& name, const std::string& quantity, double reference, double measured,
+                   double error, double tolerance) {
+  std::printf("%s %s %.9g %.9g %.3g %.3g\n", name.c_str(), quantity.c_str(), reference, measured, error, tolerance);
+  EXPECT_LE(error, tolerance) << name << " " << quantity << ": " << measured << " against " << reference;
+}
+inline void expect_relative(const std::string& name, const std::string& quantity, double reference, double measured,
+                            double tolerance) {
+  report(name, quantity, reference, measured, std::abs(measured / reference - 1.0), tolerance);
+}
+inline void expect_absolute(const std::string& name, const std::string& quantity, double reference, double measured,
+                            double tolerance) {
+  report(name, quantity, reference, measured, std::abs(measured - reference), tolerance);
+}
+
+}  // namespace dougong::testing

@@ -1,0 +1,188 @@
+// Validation cases R01 and R07: free rocking, and the static thresholds of blocks and stacks.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "engine/settle.h"
+#include "tests/engine/reference.h"
+#include "tests/oracles/rocking.h"
+#include "tests/oracles/statics.h"
+#include "tests/scenes/running.h"
+
+namespace dougong::engine {
+namespace {
+
+using scenes::run_for;
+using scenes::Running;
+using testing::expect_relative;
+
+std::string text(double value) {
+  std::string s = std::to_string(value);
+  return s.substr(0, s.find_last_not_of('0') + 1);
+}
+
+// Turned about its right corner, which touches the ground.
+Scene tilted_block(const oracles::RockingBlock& c, double amplitude, double young_modulus, double damping_ratio) {
+  Scene s = scenes::scene(2.0, young_modulus, damping_ratio);
+  s.gravity.y = -c.g;
+  s.bodies.push_back(scenes::block(c.b, c.h, rotated({-c.b, c.h}, -amplitude), -amplitude));
+  s.terrains.push_back(scenes::ground());
+  return s;
+}
+
+/// Times at which the angle passes zero, and the largest angle after each.
+std::vector<oracles::Impact> measured_impacts(Running& r, const DriveOptions& options, std::size_t count) {
+  std::vector<oracles::Impact> all;
+  double last_angle = 0.0, last_time = 0.0, last_spin = 0.0;
+  r.run(options, [&](const Sample& sample) {
+    const double angle = r.angle(), time = sample.state.time;
+    if (last_angle * angle < 0.0) {
+      if (all.size() == count) return Wish::stop;
+      all.push_back({last_time + (time - last_time) * last_angle / (last_angle - angle), std::abs(last_spin), 0.0});
+    }
+    if (!all.empty()) all.back().amplitude_after = std::max(all.back().amplitude_after, std::abs(angle));
+    last_angle = angle, last_time = time, last_spin = r.spin();
+    return Wish::go_on;
+  });
+  return all;
+}
+
+void check_rocking(const oracles::RockingBlock& c, std::size_t count) {
+  const double amplitude = 0.5 * c.alpha();
+  const auto exact = c.impacts(amplitude, static_cast<int>(count));
+  Running r(tilted_block(c, amplitude, 30e9, 1.0));
+  const auto measured = measured_impacts(r, run_for(exact.back().time + 1.0, 5e-4), count);
+  ASSERT_EQ(measured.size(), count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::string name = "b=" + text(c.b) + " h=" + text(c.h) + " impact " + std::to_string(i + 1) + " ";
+    expect_relative("R01", name + "t", exact[i].time, measured[i].time, i == 0 ? 0.005 : 0.02);
+    expect_relative("R01", name + "omega", exact[i].spin_before, measured[i].spin_before, 0.02);
+    expect_relative("R01", name + "amplitude", exact[i].amplitude_after / c.alpha(),
+                    measured[i].amplitude_after / c.alpha(), 0.02);
+  }
+}
+
+TEST(RockingOracle, IsTheReferenceTable) {
+  const oracles::RockingBlock c{0.25, 1.0, 9.81};
+  EXPECT_NEAR(c.alpha(), 0.24497866, 1e-8);
+  EXPECT_NEAR(c.p(), 2.6716705, 1e-7);
+  const auto impacts = c.impacts(0.5 * c.alpha(), 8);
+  const double times[] = {0.493803, 1.29747, 1.97939, 2.57072, 3.09035, 3.55104, 3.96205, 4.33042};
+  const double spins[] = {0.565045, 0.515188, 0.46973, 0.428283, 0.390494, 0.356038, 0.324623, 0.29598};
+  const double amplitudes[] = {0.386714, 0.306397, 0.246057, 0.199314, 0.162415, 0.132918, 0.10913, 0.0898198};
+  for (std::size_t i = 0; i < 8; ++i) {
+    EXPECT_NEAR(impacts[i].time / times[i], 1.0, 2e-6) << i;
+    EXPECT_NEAR(impacts[i].spin_before / spins[i], 1.0, 2e-6) << i;
+    EXPECT_NEAR(impacts[i].amplitude_after / c.alpha() / amplitudes[i], 1.0, 3e-6) << i;
+  }
+}
+
+TEST(RockingBlock, ImpactsAndDecaysAsHousnerSays) { check_rocking({0.25, 1.0, 9.81}, 8); }
+TEST(RockingBlock, DoesSoWithOtherProportionsToo) {
+  check_rocking({0.2, 0.6, 9.81}, 4);
+  check_rocking({0.4, 2.4, 9.81}, 3);
+}
+
+// Gravity is turned a little at a time, which is what tilting the ground does to what stands on it.
+bool topples_under(Running& r, double slope_of_gravity_at_end, bool keep_vertical_part, double rest) {
+  const int stages = 20;
+  bool toppled = false;
+  for (int i = 1; i <= stages && !toppled; ++i) {
+    const double part = slope_of_gravity_at_end * i / stages;
+    r.model.gravity = keep_vertical_part ? Vec2{9.81 * part, -9.81} : rotated({0.0, -9.81}, part);
+    r.run(run_for(i == stages ? rest : 0.03, 0.01), [&](const Sample&) {
+      for (std::size_t k = 0; k < r.bodies(); ++k) toppled |= std::abs(r.angle(k)) > 0.06;
+      return toppled ? Wish::stop : Wish::go_on;
+    });
+  }
+  return toppled;
+}
+
+struct Threshold {
+  oracles::Stack stack;
+  double friction;
+};
+
+// Stiff enough for the tilt of its compressed joints not to count.
+void check_toppling(const Threshold& c) {
+  const double a = c.stack.b / (c.stack.count * c.stack.h);
+  const std::string name = "R07 b=" + text(c.stack.b) + " h=" + text(c.stack.h) + " n=" + std::to_string(c.stack.count);
+  for (const bool acceleration : {false, true}) {
+    const double threshold = acceleration ? a : c.stack.toppling_tilt();
+    for (const double part : {0.995, 1.005}) {
+      Running r(scenes::column(c.stack.count, c.stack.b, c.stack.h, c.friction, 300e9));
+      ASSERT_TRUE(settle(r.model, r.state).settled);
+      EXPECT_EQ(topples_under(r, part * threshold, acceleration, 3.0), part > 1.0)
+          << name << (acceleration ? " acceleration " : " tilt ") << part;
+    }
+    std::printf("%s %s %.6g bracketed 0.005 0.005\n", name.c_str(), acceleration ? "a/g" : "tilt", threshold);
+  }
+}
+
+TEST(StackOfBlocks, TopplesAtItsThreshold) {
+  for (const int n : {1, 2, 3, 5}) check_toppling({{0.25, 1.0, n}, 0.7});
+}
+TEST(StackOfBlocks, TopplesAtItsThresholdWithOtherProportionsToo) { check_toppling({{0.4, 0.8, 2}, 0.7}); }
+
+bool slides_under(double mu, double load, bool keep_vertical_part) {
+  Running r(scenes::block_on_ground(1.0, 0.2, mu));
+  EXPECT_TRUE(settle(r.model, r.state).settled);
+  const double start = r.position().x;
+  topples_under(r, load, keep_vertical_part, 1.0);
+  return std::abs(r.position().x - start) > 1e-3;
+}
+
+TEST(LowBlock, SlidesAtTheFrictionAngleAndAtMuG) {
+  for (const double mu : {0.7, 0.3}) {
+    for (const double part : {0.995, 1.005}) {
+      EXPECT_EQ(slides_under(mu, part * std::atan(mu), false), part > 1.0) << "tilt " << mu << " " << part;
+      EXPECT_EQ(slides_under(mu, part * mu, true), part > 1.0) << "acceleration " << mu << " " << part;
+    }
+    std::printf("R07 mu=%.2g slides at tilt %.6g and at a/g %.6g bracketed 0.005 0.005\n", mu, std::atan(mu), mu);
+  }
+}
+
+// The same threshold by a ground that really accelerates, from rest and slowly enough.
+TEST(RockingBlock, TopplesOnAGroundThatAcceleratesAtItsThreshold) {
+  const double rise = 1.0, b = 0.25, h = 1.0;
+  for (const double part : {0.995, 1.005}) {
+    const double a = part * 9.81 * b / h;
+    const auto acceleration = [=](double t) { return t < rise ? a * t / rise : a; };
+    const auto velocity = [=](double t) { return t < rise ? 0.5 * a * t * t / rise : a * (t - 0.5 * rise); };
+    const auto displacement = [=](double t) {
+      const double s = t - rise;
+      return t < rise ? a * t * t * t / (6 * rise) : a * (rise * rise / 6 + 0.5 * rise * s + 0.5 * s * s);
+    };
+    Scene s = scenes::block_on_ground(b, h, 0.7, 300e9);
+    s.terrains[0] = scenes::ground(2000.0, {}, 0.0, scenes::horizontal_motion(acceleration, velocity, displacement));
+    Running r(s);
+    ASSERT_TRUE(settle(r.model, r.state).settled);
+    double largest = 0.0;
+    r.run(run_for(4.0), [&](const Sample&) {
+      largest = std::max(largest, std::abs(r.angle()));
+      return largest > 0.06 ? Wish::stop : Wish::go_on;
+    });
+    EXPECT_EQ(largest > 0.06, part > 1.0) << part << " " << largest;
+  }
+}
+
+TEST(StandingBlock, LoadsItsCornersAsTheMomentSays) {
+  struct Case { double b, h, a; };
+  for (const auto& [b, h, a] : {Case{0.25, 1.0, 0.15}, Case{0.4, 0.6, 0.3}}) {
+    Running r(scenes::block_on_ground(b, h, 0.7));
+    r.model.gravity = {a * 9.81, -9.81};
+    SettleOptions options;
+    options.unbalanced_ratio = 1e-7;
+    ASSERT_TRUE(settle(r.model, r.state, options).settled);
+    const double share = oracles::loaded_corner_share(b, h, a, 1.0), weight = r.model.mass[0] * 9.81;
+    for (const auto& f : scenes::point_forces(r.model, r.state)) {
+      const bool loaded = f.place.x > r.state.q()[0];
+      expect_relative("R07", "a=" + text(a) + "g " + (loaded ? "loaded" : "unloaded") + " corner/W",
+                      loaded ? share : 1.0 - share, f.normal / weight, 0.005);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace dougong::engine

@@ -1,0 +1,56 @@
+// Free rocking of a rigid block of half sizes b, h about its corners, without slip or bounce.
+//   theta'' = -p^2 sin(alpha - theta),  theta'^2 = 2 p^2 (cos(alpha - theta_0) - cos(alpha - theta))
+// p^2 = 3 g / (4 R). An impact keeps the angular momentum about the new corner: the spin falls by the
+// factor 1 - 3/2 sin^2(alpha). Housner, Bull. Seism. Soc. Am. 53 (1963) 403-417.
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "tests/oracles/quadrature.h"
+
+namespace dougong::oracles {
+
+struct Impact {
+  double time, spin_before, amplitude_after;  // s, rad/s, rad
+};
+
+struct RockingBlock {
+  double b, h, g;
+
+  double alpha() const { return std::atan(b / h); }
+  double p() const { return std::sqrt(0.75 * g / std::hypot(b, h)); }
+  double velocity_ratio() const { return 1.0 - 1.5 * std::sin(alpha()) * std::sin(alpha()); }
+
+  double spin_at_impact(double amplitude) const {
+    return p() * std::sqrt(2.0 * (std::cos(alpha() - amplitude) - std::cos(alpha())));
+  }
+  double amplitude_from(double spin) const {
+    return alpha() - std::acos(std::cos(alpha()) + 0.5 * spin * spin / (p() * p()));
+  }
+  /// From rest at the amplitude down to zero; theta = amplitude (1 - u^2).
+  double fall_time(double amplitude) const {
+    const auto rate = [&](double u) {
+      const double fallen = amplitude * u * u, start = alpha() - amplitude;
+      // cos(A) - cos(A + x) = 2 sin(A + x/2) sin(x/2), over u^2 as u goes to 0
+      const double drop = u == 0.0 ? amplitude * std::sin(start)
+                                   : 2.0 * std::sin(start + 0.5 * fallen) * std::sin(0.5 * fallen) / (u * u);
+      return 2.0 * amplitude / (p() * std::sqrt(2.0 * drop));
+    };
+    return integral(rate, 0.0, 1.0);
+  }
+
+  std::vector<Impact> impacts(double amplitude, int count) const {
+    std::vector<Impact> all;
+    double time = fall_time(amplitude);
+    for (int i = 0; i < count; ++i) {
+      const double spin = spin_at_impact(amplitude);
+      amplitude = amplitude_from(velocity_ratio() * spin);
+      all.push_back({time, spin, amplitude});
+      time += 2.0 * fall_time(amplitude);
+    }
+    return all;
+  }
+};
+
+}  // namespace dougong::oracles
