@@ -6,7 +6,8 @@
 #   ./demo.sh scenario.toml --pga "0.4 g"        a scenario file of your own, named first
 #
 # Exit code 0: the run has a verdict on the building, whichever it is (survived, collapsed, undecided).
-# 20: the numbers failed, so there is no verdict. Anything else: a step failed, and its name is printed.
+# 20: the numbers failed, so there is no verdict. 2: the arguments were wrong. Anything else: a step failed,
+# and its name is printed.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd -P)
 # shellcheck source=.ci/common.sh
@@ -45,7 +46,8 @@ case $code in
   10) meaning="10: the building collapsed" ;;
   30) meaning="30: undecided, for what follows the end of the run is open" ;;
   20) meaning="20: the numbers failed, so nothing is said about the building" ;;
-  *) fail "the run failed with exit code $code; its message is above" ;;
+  2) meaning="2: the input was wrong, as the message above says; nothing was run" ;;
+  *) meaning="$code: it failed, and its message is above" ;;
 esac
 say "dougong run returned $meaning"
-if [ $code -eq 20 ]; then exit 20; fi
+case $code in 0 | 10 | 30) ;; *) exit "$code" ;; esac

@@ -14,7 +14,7 @@ step() {
   local name=$1 hint=$2
   shift 2
   say "$name"
-  "$@" || fail "this step failed: $name. $hint"
+  "$@" || fail "this step failed: $name.${hint:+ $hint}"
 }
 
 # configure_and_build PRESET [further arguments of cmake --build]

@@ -55,7 +55,7 @@ if [ "$(id -u)" -ne 0 ]; then
 fi
 apt() { "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q -o DPkg::Lock::Timeout=300 "$@"; }
 
-echo "Installing with: ${as_root[*]} apt-get install ${missing[*]}"
+echo "Installing with: ${as_root[*]:+${as_root[*]} }apt-get install ${missing[*]}"
 apt update -o APT::Update::Error-Mode=any ||
   echo "The package lists could not be refreshed (no network?); going on with the ones that are here." >&2
 apt install -y --no-install-recommends "${missing[@]}" ||

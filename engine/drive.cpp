@@ -39,11 +39,13 @@ Intervals choose_intervals(double knot, double output) {
 
 double bound_of(const AnyIntegrator& integrator, const SpectralBound& spectrum) {
   if (spectrum.stiffness <= 0.0) return no_bound;
-  return std::visit([&](const auto& i) { return i.stable_step(spectrum.stiffness, spectrum.damping); }, integrator);
+  return std::visit([&](const auto& i) { return i.stable_step(spectrum.stiffness, spectrum.damping); },
+                    integrator);
 }
 
 std::size_t steps_per_interval(double interval, double largest_step) {
-  return std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(interval / largest_step * (1.0 - 1e-12))));
+  return std::max<std::size_t>(1,
+                               static_cast<std::size_t>(std::ceil(interval / largest_step * (1.0 - 1e-12))));
 }
 
 // One run: the loop and what it needs at hand.
@@ -73,13 +75,16 @@ class Runner {
     outcome_.output_interval = start.output_interval;
     if (options_.step && *options_.step > start.bound)
       return end(Outcome::step_too_large, "a step of " + std::to_string(*options_.step) +
-                                              " s is above the stability bound of " + std::to_string(start.bound) +
-                                              " s");
+                                              " s is above the stability bound of " +
+                                              std::to_string(start.bound) + " s");
+    if (const std::string trouble = health_problem(); !trouble.empty())
+      return end(Outcome::diverged, trouble);
     if (const Wish wish = sample(observe); wish != Wish::go_on) return end_as_wished(wish);
     const auto outputs = static_cast<std::size_t>(std::ceil(options_.end_time / intervals_.output - 1e-9));
     for (std::size_t output = 0; output < outputs; ++output) {
       for (std::size_t k = 0; k < intervals_.bases_per_output; ++k) advance_interval();
-      if (const std::string trouble = health_problem(); !trouble.empty()) return end(Outcome::diverged, trouble);
+      if (const std::string trouble = health_problem(); !trouble.empty())
+        return end(Outcome::diverged, trouble);
       if (const Wish wish = sample(observe); wish != Wish::go_on) return end_as_wished(wish);
     }
     return end(Outcome::completed, "");
@@ -99,8 +104,9 @@ class Runner {
     for (std::size_t j = 0; j < divisions_; ++j) {
       if (countdown_ == 0 && update_contacts()) j *= refine();
       const double h = intervals_.base / static_cast<double>(divisions_);
-      state_.time = (static_cast<double>(interval_) + static_cast<double>(j) / static_cast<double>(divisions_)) *
-                    intervals_.base;
+      state_.time =
+          (static_cast<double>(interval_) + static_cast<double>(j) / static_cast<double>(divisions_)) *
+          intervals_.base;
       step(h);
       --countdown_;
     }
@@ -122,7 +128,8 @@ class Runner {
   void change_divisions(std::size_t divisions) {
     if (divisions > divisions_) ++outcome_.step_reductions;
     divisions_ = divisions;
-    outcome_.smallest_step = std::min(outcome_.smallest_step, intervals_.base / static_cast<double>(divisions));
+    outcome_.smallest_step =
+        std::min(outcome_.smallest_step, intervals_.base / static_cast<double>(divisions));
     countdown_ = 0;
     restart();
   }
@@ -131,7 +138,8 @@ class Runner {
   std::size_t refine() {
     refresh_bound();
     std::size_t factor = 1;
-    while (intervals_.base / static_cast<double>(divisions_ * factor) > tolerated_step() && factor < 1024) factor *= 2;
+    while (intervals_.base / static_cast<double>(divisions_ * factor) > tolerated_step() && factor < 1024)
+      factor *= 2;
     if (factor > 1) change_divisions(divisions_ * factor);
     countdown_ = std::max<std::size_t>(countdown_, 1);
     return factor;
@@ -140,7 +148,8 @@ class Runner {
   bool update_contacts() {
     const auto frames = frames_of(model_, state_, options_.terrain_held_still);
     const bool changed = state_.contacts.update(model_, frames);
-    countdown_ = state_.contacts.steps_until_update(model_, frames, intervals_.base / static_cast<double>(divisions_));
+    countdown_ =
+        state_.contacts.steps_until_update(model_, frames, intervals_.base / static_cast<double>(divisions_));
     if (changed) restart();
     return changed;
   }
@@ -158,13 +167,19 @@ class Runner {
     ++outcome_.steps;
   }
 
-  std::string health_problem() const {
+  std::string health_problem() {
     const std::size_t n = model_.body_count;
     for (std::size_t i = 0; i < state_.y.size(); ++i)
       if (!std::isfinite(state_.y[i])) return "the motion of " + model_.names[i % n] + " is not finite";
     if (state_.deepest_ratio > options_.largest_overlap_ratio)
       return model_.names[state_.deepest_pair.a] + " and " + model_.names[state_.deepest_pair.b] +
-             " overlap by more than " + std::to_string(options_.largest_overlap_ratio) + " of the smaller one";
+             " overlap by more than " + std::to_string(options_.largest_overlap_ratio) +
+             " of the smaller one";
+    // Local damping takes energy that no ledger follows.
+    if (options_.local_damping == 0.0) turnover_.note(energies_of(model_, state_));
+    if (turnover_.relative_error() > options_.largest_energy_error)
+      return "the energy balance is off by " + std::to_string(turnover_.relative_error()) +
+             " of the energy turned over";
     return "";
   }
 
@@ -193,6 +208,7 @@ class Runner {
   std::vector<double> accelerations_;
   Intervals intervals_;
   RunOutcome outcome_;
+  EnergyTurnover turnover_;
   double bound_ = no_bound;
   std::size_t interval_ = 0, divisions_ = 1, countdown_ = 0;
 };
@@ -201,11 +217,16 @@ class Runner {
 
 std::string to_string(Outcome outcome) {
   switch (outcome) {
-    case Outcome::completed: return "completed";
-    case Outcome::diverged: return "diverged";
-    case Outcome::step_too_large: return "step too large";
-    case Outcome::stopped_by_criterion: return "stopped by criterion";
-    case Outcome::interrupted: return "interrupted";
+    case Outcome::completed:
+      return "completed";
+    case Outcome::diverged:
+      return "diverged";
+    case Outcome::step_too_large:
+      return "step too large";
+    case Outcome::stopped_by_criterion:
+      return "stopped by criterion";
+    case Outcome::interrupted:
+      return "interrupted";
   }
   return "";
 }

@@ -20,13 +20,14 @@ std::string to_string(Outcome outcome);
 
 struct DriveOptions {
   std::string integrator = "velocity-verlet";
-  double end_time = 0.0;                // s
-  double output_interval = 0.01;        // s; rounded to the motion's knots
-  double step_fraction = 0.5;           // of the stability bound, in (0, 1)
-  std::optional<double> step;           // s; instead of the fraction: refused above the bound
-  double largest_overlap_ratio = 0.2;   // over the smaller width: deeper has passed through, not touched
+  double end_time = 0.0;               // s
+  double output_interval = 0.01;       // s; rounded to the motion's knots
+  double step_fraction = 0.5;          // of the stability bound, in (0, 1)
+  std::optional<double> step;          // s; instead of the fraction: refused above the bound
+  double largest_overlap_ratio = 0.2;  // over the smaller width: deeper has passed through, not touched
+  double largest_energy_error = 0.5;   // of the energy turned over: more has been made out of nothing
   bool terrain_held_still = false;
-  double local_damping = 0.0;           // of Dynamics; only for finding an equilibrium
+  double local_damping = 0.0;  // of Dynamics; only for finding an equilibrium
 };
 
 /// A state at an output time, with what only the running system knows.
@@ -42,12 +43,12 @@ using Observer = std::function<Wish(const Sample&)>;
 
 struct RunOutcome {
   Outcome outcome = Outcome::completed;
-  std::string detail;             // body, quantity, time
-  double end_time = 0.0;          // s, reached
-  double step = 0.0;              // s, the first
-  double smallest_step = 0.0;     // s
-  double bound = 0.0;             // s, stability bound at the start
-  double output_interval = 0.0;   // s, as used
+  std::string detail;            // body, quantity, time
+  double end_time = 0.0;         // s, reached
+  double step = 0.0;             // s, the first
+  double smallest_step = 0.0;    // s
+  double bound = 0.0;            // s, stability bound at the start
+  double output_interval = 0.0;  // s, as used
   std::size_t steps = 0;
   std::size_t step_reductions = 0;
 };

@@ -14,8 +14,8 @@ Dynamics::Dynamics(const Model& model, State& state, bool terrain_held_still, do
       forces_(model.size()),
       torques_(model.size()) {}
 
-Powers Dynamics::accelerate(double t, std::span<const double> q, std::span<const double> v, std::span<double> a,
-                            bool begins_step) {
+Powers Dynamics::accelerate(double t, std::span<const double> q, std::span<const double> v,
+                            std::span<double> a, bool begins_step) {
   place_bodies(model_, q, v, frames_);
   place_terrains(model_, t, terrain_held_still_, frames_);
   loads_.resize(state_.contacts.points.size());
@@ -42,7 +42,8 @@ void Dynamics::damp_locally(std::span<const double> v, std::span<double> a) cons
 // The terrains' work on the bodies: minus the force they bear, times their velocity.
 Powers Dynamics::terrain_power(const ContactTotals& totals) const {
   double input = 0.0;
-  for (std::size_t j = model_.body_count; j < model_.size(); ++j) input -= dot(forces_[j], frames_[j].velocity());
+  for (std::size_t j = model_.body_count; j < model_.size(); ++j)
+    input -= dot(forces_[j], frames_[j].velocity());
   return {{input, totals.damping_power, totals.tangential_power}};
 }
 

@@ -18,4 +18,23 @@ struct Energies {
 
 Energies energies_of(const Model& model, const State& state);
 
+/// What the errors of a run are measured by: the greatest sum so far of |input| and of what gravity gave
+/// since the start. A collapse is driven by gravity, whose energy is a hundred times that of the shaking.
+class EnergyTurnover {
+ public:
+  void note(const Energies& energies);
+  double turnover() const { return turnover_; }            // J
+  double largest_error() const { return largest_error_; }  // J
+  /// Greatest |error| over the turnover; a scene at rest, whose error is rounding, by 1e-6 of the
+  /// elastic energy it started with. 0 when there is no energy at all.
+  double relative_error() const;
+  /// Error of the energies noted last (J).
+  double error() const { return error_; }
+
+ private:
+  bool started_ = false;
+  Energies first_;
+  double turnover_ = 0.0, largest_error_ = 0.0, error_ = 0.0;
+};
+
 }  // namespace dougong::engine

@@ -23,7 +23,8 @@ double restitution_for_damping_ratio(double xi) {
 // restitution_for_damping_ratio falls monotonically, so bisection on log xi cannot miss.
 double damping_ratio_for_restitution(double restitution) {
   if (!(restitution > 0.0 && restitution <= 1.0))
-    throw std::invalid_argument("restitution must lie in (0, 1]; a plastic impact is a damping ratio of 1 or more");
+    throw std::invalid_argument(
+        "restitution must lie in (0, 1]; a plastic impact is a damping ratio of 1 or more");
   if (restitution == 1.0) return 0.0;
   double low = 1e-12, high = 1e12;
   for (int i = 0; i < 200; ++i) {

@@ -28,14 +28,14 @@ struct Model {
 
   std::vector<std::string> names;
   std::vector<Shape> shapes;
-  std::vector<Material> materials;        // one for each body and terrain
-  std::vector<double> thickness;          // m; of terrain, infinity
-  std::vector<double> mass, inertia;      // kg, kg m2; of terrain, infinity
-  std::vector<double> bounding_radius;    // m
-  std::vector<double> minimum_width;      // m
+  std::vector<Material> materials;      // one for each body and terrain
+  std::vector<double> thickness;        // m; of terrain, infinity
+  std::vector<double> mass, inertia;    // kg, kg m2; of terrain, infinity
+  std::vector<double> bounding_radius;  // m
+  std::vector<double> minimum_width;    // m
 
-  std::vector<Vec2> terrain_position;     // m, relative to origin, at zero displacement
-  std::vector<double> terrain_angle;      // rad
+  std::vector<Vec2> terrain_position;  // m, relative to origin, at zero displacement
+  std::vector<double> terrain_angle;   // rad
   std::vector<std::shared_ptr<const PrescribedMotion>> motions;  // null: fixed
 
   double total_mass() const;

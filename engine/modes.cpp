@@ -91,7 +91,8 @@ Krylov lanczos(const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>& factor,
   return k;
 }
 
-Mode make_mode(const Eigen::VectorXd& shape, double omega_squared, const Eigen::VectorXd& mass, double total_mass) {
+Mode make_mode(const Eigen::VectorXd& shape, double omega_squared, const Eigen::VectorXd& mass,
+               double total_mass) {
   const auto n = mass.size() / 3;
   const double excitation = mass.head(n).dot(shape.head(n));
   Mode mode;
@@ -104,7 +105,8 @@ Mode make_mode(const Eigen::VectorXd& shape, double omega_squared, const Eigen::
 }  // namespace
 
 double Mode::period() const {
-  return angular_frequency_squared > 0.0 ? 2.0 * std::numbers::pi / std::sqrt(angular_frequency_squared) : 0.0;
+  return angular_frequency_squared > 0.0 ? 2.0 * std::numbers::pi / std::sqrt(angular_frequency_squared)
+                                         : 0.0;
 }
 
 Eigen::SparseMatrix<double> tangent_stiffness(const Model& model, const State& state) {
@@ -114,7 +116,8 @@ Eigen::SparseMatrix<double> tangent_stiffness(const Model& model, const State& s
   for (std::size_t i = 0; i < points.size(); ++i) {
     const PointGeometry g = geometry_of(points, i, frames);
     if (g.overlap > 0.0)
-      scatter(model, points.corner_body[i], points.edge_body[i], point_tangent(points.stiffness[i], g), entries);
+      scatter(model, points.corner_body[i], points.edge_body[i], point_tangent(points.stiffness[i], g),
+              entries);
   }
   const auto size = static_cast<Eigen::Index>(3 * model.body_count);
   Eigen::SparseMatrix<double> k(size, size);
@@ -135,14 +138,16 @@ std::vector<Mode> horizontal_modes(const Model& model, const State& state, std::
 
   Eigen::VectorXd start = Eigen::VectorXd::Zero(3 * n);
   start.head(n).setOnes();
-  const Krylov krylov = lanczos(factor, mass, factor.solve(mass.cwiseProduct(start)), std::min<Eigen::Index>(3 * n, 40));
+  const Krylov krylov =
+      lanczos(factor, mass, factor.solve(mass.cwiseProduct(start)), std::min<Eigen::Index>(3 * n, 40));
   if (krylov.basis.cols() == 0) return {};
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz(krylov.projected);
   std::vector<Mode> modes;
   for (Eigen::Index j = 0; j < ritz.eigenvalues().size(); ++j) {
     const double inverse = ritz.eigenvalues()[j];
     if (std::abs(inverse) < 1e-14) continue;
-    modes.push_back(make_mode(krylov.basis * ritz.eigenvectors().col(j), 1.0 / inverse - shift, mass, model.total_mass()));
+    modes.push_back(make_mode(krylov.basis * ritz.eigenvectors().col(j), 1.0 / inverse - shift, mass,
+                              model.total_mass()));
   }
   std::sort(modes.begin(), modes.end(), [](const Mode& a, const Mode& b) {
     return a.angular_frequency_squared < b.angular_frequency_squared;

@@ -19,13 +19,13 @@ inline constexpr double standard_gravity = 9.80665;  // m/s2
 struct Body {
   std::string name;
   Shape shape;
-  Vec2 position;                // m, of the centroid
-  double angle = 0.0;           // rad
-  Vec2 velocity;                // m/s
-  double spin = 0.0;            // rad/s
-  std::size_t material = 0;     // index into Scene::materials
-  double thickness = 1.0;       // m, out of plane
-  std::optional<double> mass;   // kg; instead of density x area x thickness
+  Vec2 position;               // m, of the centroid
+  double angle = 0.0;          // rad
+  Vec2 velocity;               // m/s
+  double spin = 0.0;           // rad/s
+  std::size_t material = 0;    // index into Scene::materials
+  double thickness = 1.0;      // m, out of plane
+  std::optional<double> mass;  // kg; instead of density x area x thickness
 };
 
 struct Terrain {

@@ -13,7 +13,8 @@ double largest_translation(const Model& model, std::span<const double> a) {
   return largest;
 }
 
-void note_movement(const Model& model, const std::vector<double>& before, const State& state, SettleReport& report) {
+void note_movement(const Model& model, const std::vector<double>& before, const State& state,
+                   SettleReport& report) {
   const std::size_t n = model.body_count;
   for (std::size_t i = 0; i < n; ++i) {
     const double movement = norm({state.y[i] - before[i], state.y[n + i] - before[n + i]});

@@ -9,19 +9,19 @@
 namespace dougong::engine {
 
 struct SettleOptions {
-  double longest_time = 20.0;       // s, simulated
-  double unbalanced_ratio = 1e-4;   // of the weight
-  double local_damping = 0.8;       // Cundall's usual value
+  double longest_time = 20.0;      // s, simulated
+  double unbalanced_ratio = 1e-4;  // of the weight
+  double local_damping = 0.8;      // Cundall's usual value
 };
 
 struct SettleReport {
   bool settled = false;
   Outcome outcome = Outcome::completed;
   std::string detail;
-  double duration = 0.0;             // s, simulated
-  double unbalanced_ratio = 0.0;     // largest net acceleration over gravity
-  double greatest_movement = 0.0;    // m
-  std::string moved_most;            // name of that body
+  double duration = 0.0;           // s, simulated
+  double unbalanced_ratio = 0.0;   // largest net acceleration over gravity
+  double greatest_movement = 0.0;  // m
+  std::string moved_most;          // name of that body
 };
 
 /// Leaves the state at rest at t = 0, with no work done. Without gravity there is nothing to settle.

@@ -12,7 +12,8 @@ constexpr double corner_tolerance = 1e-12;
 
 void require_finite(std::span<const Vec2> points) {
   for (const Vec2 p : points)
-    if (!std::isfinite(p.x) || !std::isfinite(p.y)) throw std::invalid_argument("polygon has a non-finite corner");
+    if (!std::isfinite(p.x) || !std::isfinite(p.y))
+      throw std::invalid_argument("polygon has a non-finite corner");
 }
 
 double extent(std::span<const Vec2> points) {
@@ -109,7 +110,8 @@ PlacedPolygon make_polygon(std::span<const Vec2> points) {
   v = without_spare_corners(std::move(v), size);
   if (v.size() < 3) throw std::invalid_argument("polygon has no area");
   if (twice_signed_area(v) < 0.0) std::reverse(v.begin(), v.end());
-  if (twice_signed_area(v) <= corner_tolerance * size * size) throw std::invalid_argument("polygon has no area");
+  if (twice_signed_area(v) <= corner_tolerance * size * size)
+    throw std::invalid_argument("polygon has no area");
   require_convex(v);
 
   const Vec2 centroid = centroid_of(v);
@@ -130,7 +132,8 @@ ConvexPolygon make_rectangle(double width, double height) {
 }
 
 Circle make_circle(double radius) {
-  if (!(radius > 0.0) || !std::isfinite(radius)) throw std::invalid_argument("circle needs a positive radius");
+  if (!(radius > 0.0) || !std::isfinite(radius))
+    throw std::invalid_argument("circle needs a positive radius");
   return {radius};
 }
 

@@ -14,7 +14,9 @@ void add_outer(Block& block, double factor, const Row& left, const Row& right) {
     for (std::size_t c = 0; c < 3; ++c) block[r][c] += factor * left[r] * right[c];
 }
 
-double row_sum(const Row& row) { return std::abs(row[0]) + std::abs(row[1]) + std::abs(row[2]); }
+double row_sum(const Row& row) {
+  return std::abs(row[0]) + std::abs(row[1]) + std::abs(row[2]);
+}
 
 // A direction's row of the Jacobian on one body, times M^(-1/2).
 Row scaled_row(const Model& model, Index body, double sign, Vec2 direction, Vec2 arm) {
@@ -43,7 +45,8 @@ class RowSums {
   double largest() const {
     double result = 0.0;
     for (std::size_t i = 0; i < diagonal_.size(); ++i)
-      for (std::size_t r = 0; r < 3; ++r) result = std::max(result, row_sum(diagonal_[i][r]) + elsewhere_[i][r]);
+      for (std::size_t r = 0; r < 3; ++r)
+        result = std::max(result, row_sum(diagonal_[i][r]) + elsewhere_[i][r]);
     return result;
   }
 
@@ -59,8 +62,11 @@ void add_point(const Model& model, const ContactPoints& points, std::size_t i, s
   const PointGeometry g = geometry_of(points, i, frames);
   const PointStiffness& law = points.stiffness[i];
   const Index corner = points.corner_body[i], edge = points.edge_body[i];
-  const struct { Vec2 direction; double k, c; } directions[] = {
-      {g.normal, law.normal, law.normal_damping}, {turned(g.normal), law.tangential, law.tangential_damping}};
+  const struct {
+    Vec2 direction;
+    double k, c;
+  } directions[] = {{g.normal, law.normal, law.normal_damping},
+                    {turned(g.normal), law.tangential, law.tangential_damping}};
   for (const auto& d : directions) {
     const Row on_corner = scaled_row(model, corner, 1.0, d.direction, g.arm_corner);
     const Row on_edge = scaled_row(model, edge, -1.0, d.direction, g.arm_edge);
@@ -79,7 +85,8 @@ SpectralBound spectral_bound(const Model& model, const State& state, std::span<c
     stiffness.begin_pair(pair.bodies.a, pair.bodies.b);
     damping.begin_pair(pair.bodies.a, pair.bodies.b);
     for (Index k = 0; k < pair.manifold.count; ++k)
-      add_point(model, state.contacts.points, pair.first_point + k, frames, pair.bodies.a, stiffness, damping);
+      add_point(model, state.contacts.points, pair.first_point + k, frames, pair.bodies.a, stiffness,
+                damping);
     stiffness.end_pair();
     damping.end_pair();
   }

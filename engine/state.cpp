@@ -35,7 +35,8 @@ std::string state_hash(const State& state) {
   mix(state.time);
   for (const double value : state.y) mix(value);
   std::string text(16, '0');
-  for (std::size_t digit = 0; digit < 16; ++digit) text[15 - digit] = "0123456789abcdef"[(hash >> (4 * digit)) & 15];
+  for (std::size_t digit = 0; digit < 16; ++digit)
+    text[15 - digit] = "0123456789abcdef"[(hash >> (4 * digit)) & 15];
   return text;
 }
 

@@ -13,10 +13,6 @@ double deepest_now(const engine::ContactPoints& points, std::span<const engine::
   return deepest;
 }
 
-// A motion that turns over less than this part of what the weight stores in the contacts is rest, and its
-// energy error is rounding.
-constexpr double energy_at_rest = 1e-6;
-
 }  // namespace
 
 Recorder::Recorder(const Preparation& preparation) : preparation_(preparation) {
@@ -49,18 +45,14 @@ void Recorder::note_motion(const engine::Sample& sample) {
 
 void Recorder::note_energy(const engine::State& state) {
   const engine::Energies e = engine::energies_of(preparation_.model, state);
-  if (energy.input.empty()) first_ = e;
-  const double error = e.balance() - first_.balance();
+  turnover_.note(e);
   const std::pair<std::vector<double>*, double> columns[] = {
       {&energy.input, e.input},     {&energy.kinetic, e.kinetic},   {&energy.gravity, e.gravity},
       {&energy.elastic, e.elastic}, {&energy.friction, e.friction}, {&energy.damping, e.damping},
-      {&energy.error, error}};
+      {&energy.error, turnover_.error()}};
   for (const auto& [column, value] : columns) column->push_back(value);
   energy.largest_input = std::max(energy.largest_input, std::abs(e.input));
-  largest_error_ = std::max(largest_error_, std::abs(error));
-  turnover_ = std::max(turnover_, std::abs(e.input) + std::max(0.0, first_.gravity - e.gravity));
-  const double scale = std::max(turnover_, energy_at_rest * first_.elastic);
-  energy.relative_error = scale > 0.0 ? largest_error_ / scale : 0.0;
+  energy.relative_error = turnover_.relative_error();
 }
 
 double Recorder::level_displacement(const std::vector<std::size_t>& blocks) const {

@@ -25,9 +25,7 @@ class Recorder {
   double level_displacement(const std::vector<std::size_t>& blocks) const;
 
   const Preparation& preparation_;
-  engine::Energies first_;
-  double largest_error_ = 0.0;  // J
-  double turnover_ = 0.0;       // J, greatest sum of |input| and of what gravity gave
+  engine::EnergyTurnover turnover_;
   double peak_drift_ = 0.0;
   double greatest_speed_ = 0.0;
 };

@@ -32,7 +32,8 @@ class Sieve {
  public:
   Sieve(const Model& model, std::span<const Frame> frames, double skin)
       : model_(model), frames_(frames), skin_(skin) {
-    for (std::size_t i = 0; i < model.size(); ++i) boxes_.push_back(box_of(model.shapes[i], frames[i], 0.5 * skin));
+    for (std::size_t i = 0; i < model.size(); ++i)
+      boxes_.push_back(box_of(model.shapes[i], frames[i], 0.5 * skin));
   }
   const std::vector<Box>& boxes() const { return boxes_; }
 

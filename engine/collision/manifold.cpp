@@ -13,7 +13,9 @@ std::uint64_t identity_of(bool corner_of_b, Index corner, Index edge) {
   return (static_cast<std::uint64_t>(corner_of_b) << 62) | (static_cast<std::uint64_t>(corner) << 31) | edge;
 }
 
-const ConvexPolygon& polygon_of(const Model& model, Index i) { return std::get<ConvexPolygon>(model.shapes[i]); }
+const ConvexPolygon& polygon_of(const Model& model, Index i) {
+  return std::get<ConvexPolygon>(model.shapes[i]);
+}
 
 bool was_feature(const Manifold& previous, std::uint64_t identity) {
   for (Index i = 0; i < previous.count; ++i)
@@ -111,10 +113,12 @@ Manifold clip(const Pair& pair, ReferenceEdge reference) {
   m.length = std::min(ref_high, inc_high) - std::max(ref_low, inc_low);
   if (m.length <= 0.0) return m;
   m.count = 2;
-  m.features[0] = end_feature(pair, corner_against_edge(pair, owner, reference.edge, incident),
-                              corner_against_edge(pair, other, incident + 1, reference.edge), ref_low - inc_low);
-  m.features[1] = end_feature(pair, corner_against_edge(pair, owner, reference.edge + 1, incident),
-                              corner_against_edge(pair, other, incident, reference.edge), inc_high - ref_high);
+  m.features[0] =
+      end_feature(pair, corner_against_edge(pair, owner, reference.edge, incident),
+                  corner_against_edge(pair, other, incident + 1, reference.edge), ref_low - inc_low);
+  m.features[1] =
+      end_feature(pair, corner_against_edge(pair, owner, reference.edge + 1, incident),
+                  corner_against_edge(pair, other, incident, reference.edge), inc_high - ref_high);
   const double ref_depth = distance_to_face(ref, reference.edge), inc_depth = distance_to_face(inc, incident);
   m.depth_a = owner == pair.a ? ref_depth : inc_depth;
   m.depth_b = owner == pair.a ? inc_depth : ref_depth;

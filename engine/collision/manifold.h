@@ -24,10 +24,10 @@ struct Feature {
   FeatureKind kind = FeatureKind::corner_edge;
   Index corner_body = 0;
   Index edge_body = 0;
-  Vec2 corner;              // m, in corner_body's frame
-  Vec2 edge_point;          // m, in edge_body's frame
-  Vec2 edge_normal;         // -, in edge_body's frame; unused for round
-  double radius = 0.0;      // m, rounding of the corner (round: sum of both radii)
+  Vec2 corner;                // m, in corner_body's frame
+  Vec2 edge_point;            // m, in edge_body's frame
+  Vec2 edge_normal;           // -, in edge_body's frame; unused for round
+  double radius = 0.0;        // m, rounding of the corner (round: sum of both radii)
   double other_radius = 0.0;  // m, round only: the edge body's share of radius
   std::uint64_t identity = 0;
 };
@@ -43,9 +43,9 @@ struct ReferenceEdge {
 struct Manifold {
   std::array<Feature, 2> features;
   Index count = 0;
-  double length = 0.0;                  // m, of the clipped interval; 0 for circles
-  double depth_a = 0.0;       // m, from a's centroid to its own face
-  double depth_b = 0.0;       // m, likewise for b
+  double length = 0.0;   // m, of the clipped interval; 0 for circles
+  double depth_a = 0.0;  // m, from a's centroid to its own face
+  double depth_b = 0.0;  // m, likewise for b
   ReferenceEdge reference;
 };
 

@@ -13,7 +13,8 @@ struct Approach {
   double overlap;
 };
 
-inline Approach approach_of(const ContactPoints& points, std::size_t i, const Frame& corner, const Frame& edge) {
+inline Approach approach_of(const ContactPoints& points, std::size_t i, const Frame& corner,
+                            const Frame& edge) {
   Approach a;
   a.normal = edge.turned_to_world(points.edge_normal[i]);
   a.arm = corner.turned_to_world(points.corner[i]);
@@ -36,7 +37,8 @@ inline PointGeometry corner_edge_geometry(const ContactPoints& points, std::size
   return g;
 }
 
-PointGeometry round_geometry(const ContactPoints& points, std::size_t i, const Frame& corner, const Frame& edge) {
+PointGeometry round_geometry(const ContactPoints& points, std::size_t i, const Frame& corner,
+                             const Frame& edge) {
   const PointHistory& past = points.history[i];
   const Vec2 edge_arm = edge.turned_to_world(points.edge_point[i]);
   const Vec2 between = corner.position() - edge.position();

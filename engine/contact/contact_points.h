@@ -27,8 +27,8 @@ struct PointHistory {
 
 /// Forces of one point on its two bodies; torques about their centroids.
 struct PointLoad {
-  double fx = 0.0, fy = 0.0;                        // N, on the corner's body; the edge's gets the opposite
-  double torque_corner = 0.0, torque_edge = 0.0;    // N m
+  double fx = 0.0, fy = 0.0;                      // N, on the corner's body; the edge's gets the opposite
+  double torque_corner = 0.0, torque_edge = 0.0;  // N m
 };
 
 /// Sums over the points.
@@ -56,11 +56,11 @@ struct ContactPoints {
 
 /// Geometry of one point at given poses.
 struct PointGeometry {
-  Vec2 normal;          // -, from the edge's body to the corner's
-  Vec2 arm_corner;      // m, from the corner body's centroid to the contact point
-  Vec2 arm_edge;        // m
-  double overlap = 0.0; // m, > 0 when touching
-  double slip = 0.0;    // m, from the anchor; 0 for an open point
+  Vec2 normal;            // -, from the edge's body to the corner's
+  Vec2 arm_corner;        // m, from the corner body's centroid to the contact point
+  Vec2 arm_edge;          // m
+  double overlap = 0.0;   // m, > 0 when touching
+  double slip = 0.0;      // m, from the anchor; 0 for an open point
   double position = 0.0;  // m, of the corner along the edge; unused for round contacts
 };
 PointGeometry geometry_of(const ContactPoints& points, std::size_t i, std::span<const Frame> frames);

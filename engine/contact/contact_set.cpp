@@ -63,7 +63,8 @@ bool same_features(const Manifold& a, const Manifold& b) {
 }
 
 // A history whose spring holds the slip that another feature hands over.
-PointHistory history_with_slip(const ContactPoints& points, std::size_t i, std::span<const Frame> frames, double slip) {
+PointHistory history_with_slip(const ContactPoints& points, std::size_t i, std::span<const Frame> frames,
+                               double slip) {
   const Frame &corner = frames[points.corner_body[i]], &edge = frames[points.edge_body[i]];
   const PointGeometry g = geometry_of(points, i, frames);
   if (points.kind[i] == FeatureKind::round) return {-slip, false, g.normal, corner.angle, edge.angle};
@@ -160,7 +161,8 @@ bool ContactSet::refresh(const Model& model, std::span<const Frame> frames, Cont
   if (same_features(old, pair.manifold)) return false;
   for (Index k = 0; k < std::min(old.count, pair.manifold.count); ++k) {
     const auto identity = pair.manifold.features[k].identity;
-    if (identity == old.features[0].identity || (old.count > 1 && identity == old.features[1].identity)) continue;
+    if (identity == old.features[0].identity || (old.count > 1 && identity == old.features[1].identity))
+      continue;
     if (history[k].open || norm(place(k) - old_place[k]) > 2.0 * pair.margin) continue;
     // Corner and edge may have changed sides: both the tangent and the motion turn round, so slip stays.
     points.history[pair.first_point + k] = history_with_slip(points, pair.first_point + k, frames, slip[k]);
@@ -224,17 +226,21 @@ bool ContactSet::update(const Model& model, std::span<const Frame> frames) {
     pair.seen_position = now.position, pair.seen_angle = now.angle;
     changed |= refresh(model, frames, pair, activity_changed);
   }
-  if (activity_changed) lay_out_points(model, frames);
-  else if (changed) index_bodies(model.size());
+  if (activity_changed)
+    lay_out_points(model, frames);
+  else if (changed)
+    index_bodies(model.size());
   return changed || activity_changed;
 }
 
-std::size_t ContactSet::steps_until_update(const Model& model, std::span<const Frame> frames, double h) const {
+std::size_t ContactSet::steps_until_update(const Model& model, std::span<const Frame> frames,
+                                           double h) const {
   const Vec2 common = common_velocity(model, frames);
   double fastest = 0.0;
   for (std::size_t i = 0; i < model.size(); ++i) {
     const Vec2 v = frames[i].velocity() - common;
-    fastest = std::max(fastest, std::abs(v.x) + std::abs(v.y) + model.bounding_radius[i] * std::abs(frames[i].spin));
+    fastest = std::max(fastest,
+                       std::abs(v.x) + std::abs(v.y) + model.bounding_radius[i] * std::abs(frames[i].spin));
   }
   const double allowed = 0.5 * refresh_ratio * smallest_margin_;
   const double per_step = 2.0 * fastest * h;
@@ -242,7 +248,8 @@ std::size_t ContactSet::steps_until_update(const Model& model, std::span<const F
   return std::max<std::size_t>(1, static_cast<std::size_t>(allowed / per_step));
 }
 
-void ContactSet::gather(std::span<const PointLoad> loads, std::span<Vec2> forces, std::span<double> torques) const {
+void ContactSet::gather(std::span<const PointLoad> loads, std::span<Vec2> forces,
+                        std::span<double> torques) const {
   for (std::size_t body = 0; body + 1 < first_.size(); ++body) {
     double fx = 0.0, fy = 0.0, torque = 0.0;
     for (std::size_t k = first_[body]; k < first_[body + 1]; ++k) {

@@ -13,10 +13,10 @@ namespace dougong::engine {
 
 struct ContactPair {
   BodyPair bodies;
-  double margin = 0.0;      // m
+  double margin = 0.0;  // m
   Manifold manifold;
-  Index first_point = 0;    // of two, if active
-  bool active = false;      // within the margin
+  Index first_point = 0;  // of two, if active
+  bool active = false;    // within the margin
   // Pose of the smaller body in the larger one's frame when the manifold was found.
   Vec2 seen_position;
   double seen_angle = 0.0;

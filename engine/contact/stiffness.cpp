@@ -21,7 +21,8 @@ double normal_stiffness(const Model& model, const Manifold& manifold, Index a, I
   const double thickness = std::min(model.thickness[a], model.thickness[b]);
   if (manifold.length == 0.0)
     return std::numbers::pi / 4.0 * thickness / (plane_flexibility(model, a) + plane_flexibility(model, b));
-  const double per_area = 1.0 / (flexibility(model, a, manifold.depth_a) + flexibility(model, b, manifold.depth_b));
+  const double per_area =
+      1.0 / (flexibility(model, a, manifold.depth_a) + flexibility(model, b, manifold.depth_b));
   return per_area * thickness * 0.5 * manifold.length;
 }
 
@@ -33,7 +34,8 @@ double tangential_ratio(const Model& model, Index a, Index b) {
 
 double felt_mass(const Model& model, Index a, Index b, Vec2 arm_a, Vec2 arm_b, Vec2 direction) {
   const double ra = cross(arm_a, direction), rb = cross(arm_b, direction);
-  return 1.0 / (1.0 / model.mass[a] + 1.0 / model.mass[b] + ra * ra / model.inertia[a] + rb * rb / model.inertia[b]);
+  return 1.0 / (1.0 / model.mass[a] + 1.0 / model.mass[b] + ra * ra / model.inertia[a] +
+                rb * rb / model.inertia[b]);
 }
 
 struct Placement {

@@ -27,15 +27,16 @@ struct Powers {
 
 struct IntegratorTraits {
   std::string_view name;
-  int order;                   // smooth forces that depend on position only
-  int order_with_damping;      // smooth forces that depend on velocity too
-  int evaluations;             // of the forces, a step
+  int order;               // smooth forces that depend on position only
+  int order_with_damping;  // smooth forces that depend on velocity too
+  int evaluations;         // of the forces, a step
   bool symplectic;
-  double stability_limit;      // of omega h, undamped oscillator
+  double stability_limit;  // of omega h, undamped oscillator
 };
 
 template <class S>
-concept SecondOrderSystem = requires(S s, double t, std::span<const double> q, std::span<double> a, bool first) {
+concept SecondOrderSystem = requires(S s, double t, std::span<const double> q, std::span<double> a,
+                                     bool first) {
   { s.degrees_of_freedom() } -> std::convertible_to<std::size_t>;
   { s.accelerate(t, q, q, a, first) } -> std::same_as<Powers>;
 };

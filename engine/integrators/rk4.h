@@ -58,7 +58,8 @@ class Rk4 {
   }
 
   template <SecondOrderSystem S>
-  Powers stage(S& system, double t, double dt, std::span<const double> q, std::span<const double> v, std::size_t k) {
+  Powers stage(S& system, double t, double dt, std::span<const double> q, std::span<const double> v,
+               std::size_t k) {
     for (std::size_t i = 0; i < q.size(); ++i) {
       q_[i] = q[i] + dt * v_[k - 1][i];
       v_[k][i] = v[i] + dt * a_[k - 1][i];

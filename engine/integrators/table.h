@@ -27,6 +27,8 @@ AnyIntegrator integrator_named(std::string_view name, std::string known) {
 }  // namespace detail
 
 /// Throws std::invalid_argument, naming the known ones.
-inline AnyIntegrator make_integrator(std::string_view name) { return detail::integrator_named(name, ""); }
+inline AnyIntegrator make_integrator(std::string_view name) {
+  return detail::integrator_named(name, "");
+}
 
 }  // namespace dougong::engine

@@ -15,8 +15,10 @@ std::vector<Parameter> material_parameters(const engine::Material& standard) {
       {"density", density, standard.density, 1.0, 25e3, "density of the blocks"},
       {"friction", ratio, standard.friction_coefficient, 0.0, 10.0,
        "coefficient of friction, static and sliding"},
-      {"damping_ratio", ratio, standard.damping_ratio, 0.0, 1.0,
+      {"damping_ratio", ratio, standard.damping_ratio, 0.0, 10.0,
        "damping of a contact point over its critical damping; 1: a corner lands without rebound"},
+      {"restitution", ratio, 0.0, 0.0, 1.0,
+       "coefficient of restitution of a contact point, instead of damping_ratio; 0: damping_ratio holds"},
       {"thickness", length, 1.0, 1e-3, 1e3, "out-of-plane thickness of the blocks"},
   };
 }
@@ -37,7 +39,9 @@ Building on_ground(const std::string& material_name, const ParameterValues& valu
   material.young_modulus = values("young_modulus");
   material.density = values("density");
   material.friction_coefficient = values("friction");
-  material.damping_ratio = values("damping_ratio");
+  const double restitution = values("restitution");
+  material.damping_ratio =
+      restitution > 0.0 ? engine::damping_ratio_for_restitution(restitution) : values("damping_ratio");
 
   engine::Terrain ground;
   ground.name = "ground";

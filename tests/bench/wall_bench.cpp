@@ -34,12 +34,11 @@ struct Wall {
 // 40 courses of 25 bricks: 20 x 25 whole ones and 20 x (24 whole and 2 halves) are 1020 blocks.
 const Wall& wall() {
   static const Wall instance = [] {
-    structures::Building building =
-        structures::build_layout("brick-wall", {{"courses", 40.0},
-                                                {"bricks_per_course", 25.0},
-                                                {"brick_length", 0.25},
-                                                {"brick_height", 0.0625},
-                                                {"young_modulus", 1e8}});
+    structures::Building building = structures::build_layout("brick-wall", {{"courses", 40.0},
+                                                                            {"bricks_per_course", 25.0},
+                                                                            {"brick_length", 0.25},
+                                                                            {"brick_height", 0.0625},
+                                                                            {"young_modulus", 1e8}});
     building.scene.terrains[0].motion = strong_window();
     Wall w{engine::compile(building.scene), {}};
     w.settled = engine::initial_state(w.model, building.scene);
@@ -82,9 +81,18 @@ void shake(benchmark::State& bench, const char* integrator) {
   bench.counters["peak_MB"] = peak_megabytes();
 }
 
-BENCHMARK_CAPTURE(shake, velocity_verlet, "velocity-verlet")->Arg(200)->Iterations(1)->Unit(benchmark::kSecond);
-BENCHMARK_CAPTURE(shake, velocity_verlet, "velocity-verlet")->Arg(10)->Iterations(1)->Unit(benchmark::kSecond);
-BENCHMARK_CAPTURE(shake, symplectic_euler, "symplectic-euler")->Arg(10)->Iterations(1)->Unit(benchmark::kSecond);
+BENCHMARK_CAPTURE(shake, velocity_verlet, "velocity-verlet")
+    ->Arg(200)
+    ->Iterations(1)
+    ->Unit(benchmark::kSecond);
+BENCHMARK_CAPTURE(shake, velocity_verlet, "velocity-verlet")
+    ->Arg(10)
+    ->Iterations(1)
+    ->Unit(benchmark::kSecond);
+BENCHMARK_CAPTURE(shake, symplectic_euler, "symplectic-euler")
+    ->Arg(10)
+    ->Iterations(1)
+    ->Unit(benchmark::kSecond);
 BENCHMARK_CAPTURE(shake, rk4, "rk4")->Arg(10)->Iterations(1)->Unit(benchmark::kSecond);
 
 }  // namespace

@@ -12,15 +12,16 @@ namespace dougong::testing {
 
 inline void report(const std::string& name, const std::string& quantity, double reference, double measured,
                    double error, double tolerance) {
-  std::printf("%s %s %.9g %.9g %.3g %.3g\n", name.c_str(), quantity.c_str(), reference, measured, error, tolerance);
+  std::printf("%s %s %.9g %.9g %.3g %.3g\n", name.c_str(), quantity.c_str(), reference, measured, error,
+              tolerance);
   EXPECT_LE(error, tolerance) << name << " " << quantity << ": " << measured << " against " << reference;
 }
-inline void expect_relative(const std::string& name, const std::string& quantity, double reference, double measured,
-                            double tolerance) {
+inline void expect_relative(const std::string& name, const std::string& quantity, double reference,
+                            double measured, double tolerance) {
   report(name, quantity, reference, measured, std::abs(measured / reference - 1.0), tolerance);
 }
-inline void expect_absolute(const std::string& name, const std::string& quantity, double reference, double measured,
-                            double tolerance) {
+inline void expect_absolute(const std::string& name, const std::string& quantity, double reference,
+                            double measured, double tolerance) {
   report(name, quantity, reference, measured, std::abs(measured - reference), tolerance);
 }
 

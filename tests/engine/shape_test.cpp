@@ -12,8 +12,8 @@
 namespace dougong::engine {
 namespace {
 
-using ::testing::HasSubstr;
 using testing::expect_relative;
+using ::testing::HasSubstr;
 
 std::vector<Vec2> shifted(std::vector<Vec2> points, Vec2 by) {
   for (Vec2& p : points) p += by;
@@ -44,8 +44,8 @@ TEST(PolygonMass, IsTheReferencePentagons) {
 TEST(PolygonMass, IsTheReferenceHexagons) {
   const PlacedPolygon placed = make_polygon(oracles::regular_corners(6, 0.8, {}, 0.0));
   expect_relative("E13", "hexagon area", 1.6627687752661, area_properties(placed.polygon).area, 1e-13);
-  expect_relative("E13", "hexagon inertia", 1064.1720161703, mass_properties(placed.polygon, 2400.0, 1.0).inertia,
-                  1e-13);
+  expect_relative("E13", "hexagon inertia", 1064.1720161703,
+                  mass_properties(placed.polygon, 2400.0, 1.0).inertia, 1e-13);
 }
 
 // A coordinate of 1e6 m is rounded to 1.2e-10 m, which the corners themselves then carry.
@@ -62,7 +62,8 @@ TEST(PolygonMass, SurvivesAShiftOfAThousandKilometres) {
 TEST(PolygonMass, MatchesRegularPolygonsAndTriangles) {
   for (int n = 3; n <= 12; ++n) {
     const auto exact = oracles::regular_polygon(n, 0.7);
-    const auto area = area_properties(make_polygon(oracles::regular_corners(n, 0.7, {3.0, -2.0}, 0.1 * n)).polygon);
+    const auto area =
+        area_properties(make_polygon(oracles::regular_corners(n, 0.7, {3.0, -2.0}, 0.1 * n)).polygon);
     EXPECT_NEAR(area.area / exact.area, 1.0, 1e-13) << n;
     EXPECT_NEAR(area.second_moment / exact.second_moment, 1.0, 1e-13) << n;
   }
@@ -91,8 +92,9 @@ TEST(PolygonMass, IgnoresRepeatedAndCollinearCorners) {
   }
   const PlacedPolygon placed = make_polygon(spare), clean = make_polygon(pentagon);
   EXPECT_EQ(placed.polygon.size(), 5u);
-  EXPECT_NEAR(mass_properties(placed.polygon, 2400, 1).inertia / mass_properties(clean.polygon, 2400, 1).inertia, 1.0,
-              1e-13);
+  EXPECT_NEAR(
+      mass_properties(placed.polygon, 2400, 1).inertia / mass_properties(clean.polygon, 2400, 1).inertia, 1.0,
+      1e-13);
   EXPECT_NEAR(norm(placed.centroid - clean.centroid), 0.0, 1e-13);
 }
 

@@ -66,7 +66,8 @@ Scene random_stack(unsigned seed) {
 
 TEST(SpectralBound, IsNeverBelowTheExactSpectrumAndNotFarAbove) {
   double loosest = 1.0, tightest = 10.0;
-  std::vector<Scene> all{scenes::wall(4, 6, 0.6), scenes::column(10, 0.25, 0.25, 0.6), scenes::block_on_ground(1, 0.02, 0.6)};
+  std::vector<Scene> all{scenes::wall(4, 6, 0.6), scenes::column(10, 0.25, 0.25, 0.6),
+                         scenes::block_on_ground(1, 0.02, 0.6)};
   for (unsigned seed = 1; seed <= 30; ++seed) all.push_back(random_stack(seed));
   for (const Scene& s : all) {
     const Running r(s);
@@ -93,9 +94,10 @@ TEST(SpectralBound, CountsAContactThatIsAboutToClose) {
   const Running touching(s);
   s.bodies[0].position.y += 1e-3;
   const Running near(s);
-  EXPECT_NEAR(spectral_bound(near.model, near.state, frames_of(near.model, near.state)).stiffness,
-              spectral_bound(touching.model, touching.state, frames_of(touching.model, touching.state)).stiffness,
-              1e-2 * spectral_bound(near.model, near.state, frames_of(near.model, near.state)).stiffness);
+  EXPECT_NEAR(
+      spectral_bound(near.model, near.state, frames_of(near.model, near.state)).stiffness,
+      spectral_bound(touching.model, touching.state, frames_of(touching.model, touching.state)).stiffness,
+      1e-2 * spectral_bound(near.model, near.state, frames_of(near.model, near.state)).stiffness);
 }
 
 TEST(SpectralBound, IsZeroWhereNothingTouches) {

@@ -3,32 +3,52 @@
 // u'' = 0 while it sticks and |a| <= mu g.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 namespace dougong::oracles {
+
+/// One slip: its ends (s), its sense and the displacement relative to the ground at its start (m).
+struct Slip {
+  double start, end, sense, place;
+};
 
 /// Ground acceleration A sin(w t): every slip is followed exactly from its start to the instant at
 /// which the speeds are equal again, found by bisection.
 class HarmonicSlider {
  public:
-  HarmonicSlider(double amplitude, double w, double friction_acceleration)
-      : amplitude_(amplitude), w_(w), limit_(friction_acceleration) {}
+  HarmonicSlider(double amplitude, double w, double friction_acceleration, double until)
+      : amplitude_(amplitude), w_(w), limit_(friction_acceleration) {
+    double place = 0.0;
+    for (Slip s = next_slip(0.0); s.start < until; s = next_slip(s.end)) {
+      s.end = std::min(until, end_of_slip(s.start, s.sense));
+      s.place = place;
+      place += travel(s.start, s.end, s.sense);
+      slips_.push_back(s);
+    }
+  }
 
   double first_slip() const { return std::asin(limit_ / amplitude_) / w_; }
-
-  /// Displacement relative to the ground at time t, and the ends of every slip up to then.
   double displacement(double t) const {
-    double start = first_slip(), place = 0.0;
-    double sense = -1.0;  // of the slip: against the ground's acceleration
-    while (start < t) {
-      const double end = end_of_slip(start, sense);
-      if (end >= t) return place + travel(start, t, sense);
-      place += travel(start, end, sense);
-      start = next_slip(end, sense);
+    double u = 0.0;
+    for (const Slip& s : slips_)
+      if (s.start < t) u = s.place + travel(s.start, std::min(t, s.end), s.sense);
+    return u;
+  }
+  /// Distance rubbed in all, and greatest less least displacement: each slip goes one way only.
+  double path() const {
+    double sum = 0.0;
+    for (const Slip& s : slips_) sum += std::abs(travel(s.start, s.end, s.sense));
+    return sum;
+  }
+  double range() const {
+    double low = 0.0, high = 0.0;
+    for (const Slip& s : slips_) {
+      const double u = s.place + travel(s.start, s.end, s.sense);
+      low = std::min(low, u), high = std::max(high, u);
     }
-    return place;
+    return high - low;
   }
 
  private:
@@ -41,33 +61,33 @@ class HarmonicSlider {
     return amplitude_ / w_ * ((std::sin(w_ * t) - std::sin(w_ * start)) / w_ - std::cos(w_ * start) * d) -
            0.5 * sense * limit_ * d * d;
   }
-  double end_of_slip(double start, double sense) const {
-    const double dt = 1e-4 / w_;
-    double t = start + 100.0 * dt;
-    while (sense * speed(start, t + dt, sense) > 0.0) t += dt;
-    double low = t, high = t + dt;
+  template <class Holds>
+  static double last_time(Holds holds, double low, double high) {
     for (int i = 0; i < 60; ++i) {
       const double middle = 0.5 * (low + high);
-      (sense * speed(start, middle, sense) > 0.0 ? low : high) = middle;
-    }
-    return low;
-  }
-  /// The block slips at once if the ground outruns the friction, else when it next does.
-  double next_slip(double end, double& sense) const {
-    const double dt = 1e-4 / w_;
-    double t = end;
-    while (std::abs(ground(t)) <= limit_) t += dt;
-    sense = ground(t) > 0.0 ? -1.0 : 1.0;
-    if (t == end) return end;
-    double low = t - dt, high = t;
-    for (int i = 0; i < 60; ++i) {
-      const double middle = 0.5 * (low + high);
-      (std::abs(ground(middle)) <= limit_ ? low : high) = middle;
+      (holds(middle) ? low : high) = middle;
     }
     return high;
   }
+  double end_of_slip(double start, double sense) const {
+    const auto moves = [&](double t) { return sense * speed(start, t, sense) > 0.0; };
+    const double dt = 1e-3 / w_;
+    double t = start + 10.0 * dt;
+    while (moves(t + dt)) t += dt;
+    return last_time(moves, t, t + dt);
+  }
+  /// The block slips at once if the ground outruns the friction, else when it next does.
+  Slip next_slip(double from) const {
+    const auto sticks = [&](double t) { return std::abs(ground(t)) <= limit_; };
+    const double dt = 1e-3 / w_;
+    double t = from;
+    while (sticks(t)) t += dt;
+    const double sense = ground(t) > 0.0 ? -1.0 : 1.0;
+    return {t == from ? from : last_time(sticks, t - dt, t), 0.0, sense, 0.0};
+  }
 
   double amplitude_, w_, limit_;
+  std::vector<Slip> slips_;
 };
 
 /// Ground acceleration `amplitude` for `duration`, then none.
@@ -76,7 +96,8 @@ struct PulseSlider {
 
   double ground_speed() const { return amplitude * duration; }
   double slid() const {
-    return ground_speed() * ground_speed() / (2.0 * friction_acceleration) * (1.0 - friction_acceleration / amplitude);
+    return ground_speed() * ground_speed() / (2.0 * friction_acceleration) *
+           (1.0 - friction_acceleration / amplitude);
   }
   double stops_at() const { return ground_speed() / friction_acceleration; }
 };

@@ -27,6 +27,8 @@ struct Stack {
 };
 
 /// Share of the weight on the loaded corner under a horizontal acceleration a.
-inline double loaded_corner_share(double b, double h, double a, double g) { return 0.5 + 0.5 * (a / g) * (h / b); }
+inline double loaded_corner_share(double b, double h, double a, double g) {
+  return 0.5 + 0.5 * (a / g) * (h / b);
+}
 
 }  // namespace dougong::oracles

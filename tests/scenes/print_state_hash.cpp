@@ -10,7 +10,7 @@ using namespace dougong;
 
 engine::Scene falling_rubble() {
   engine::Scene s = scenes::scene(0.5, 1e8, 0.4);
-  s.bodies = {scenes::block(0.25, 0.5, {0.0, 0.5}), scenes::block(0.4, 0.1, {0.2, 1.101}, 0.05),
+  s.bodies = {scenes::block(0.25, 0.5, {0.0, 0.5}), scenes::block(0.4, 0.1, {0.2, 1.121}, 0.05),
               scenes::block(0.1, 0.1, {-0.15, 1.5}, 0.3), scenes::block(0.15, 0.1, {0.9, 0.25}, -0.7)};
   engine::Body disc = scenes::block(0.1, 0.1, {0.45, 1.45});
   disc.shape = engine::make_circle(0.12);
@@ -18,11 +18,11 @@ engine::Scene falling_rubble() {
   s.bodies.push_back(disc);
   s.bodies[2].velocity = {0.5, -1.0};
   // A polynomial, not a sine: the maths library is not under test.
-  s.terrains.push_back(scenes::ground(
-      200.0, {}, 0.0,
-      scenes::horizontal_motion([](double t) { return 12.0 * t * (1.0 - t); },
-                                [](double t) { return t * t * (6.0 - 4.0 * t); },
-                                [](double t) { return t * t * t * (2.0 - t); })));
+  s.terrains.push_back(
+      scenes::ground(200.0, {}, 0.0,
+                     scenes::horizontal_motion([](double t) { return 12.0 * t * (1.0 - t); },
+                                               [](double t) { return t * t * (6.0 - 4.0 * t); },
+                                               [](double t) { return t * t * t * (2.0 - t); })));
   return s;
 }
 

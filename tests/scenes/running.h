@@ -66,7 +66,8 @@ inline engine::Scene wall(int bricks, int courses, double friction, double young
     const bool odd = row % 2 == 1;
     for (int i = 0; i < bricks + (odd ? 1 : 0); ++i) {
       const bool half = odd && (i == 0 || i == bricks);
-      const double x = odd ? (i == 0 ? 0.25 * w : (i == bricks ? (bricks - 0.25) * w : i * w)) : (i + 0.5) * w;
+      const double x =
+          odd ? (i == 0 ? 0.25 * w : (i == bricks ? (bricks - 0.25) * w : i * w)) : (i + 0.5) * w;
       s.bodies.push_back(block(half ? 0.25 * w : 0.5 * w, 0.5 * h, {x, (row + 0.5) * h}));
       s.bodies.back().name = "brick " + std::to_string(row) + "/" + std::to_string(i);
     }
@@ -75,10 +76,16 @@ inline engine::Scene wall(int bricks, int courses, double friction, double young
   return s;
 }
 
+/// Makes the contacts remember that they touch: their friction springs are relaxed at the present poses.
+inline void touch(Running& r) {
+  std::vector<engine::PointLoad> loads(r.state.contacts.points.size());
+  engine::contact_forces(r.state.contacts.points, engine::frames_of(r.model, r.state), true, loads);
+}
+
 /// Normal and tangential force of one contact point.
 struct PointForce {
-  engine::Vec2 place;                      // m, relative to the model's origin
-  double normal = 0.0, tangential = 0.0;   // N
+  engine::Vec2 place;                     // m, relative to the model's origin
+  double normal = 0.0, tangential = 0.0;  // N
 };
 
 /// The forces of the points as they are, without touching what the contacts remember.
@@ -91,7 +98,8 @@ inline std::vector<PointForce> point_forces(const engine::Model& model, const en
   for (std::size_t i = 0; i < points.size(); ++i) {
     const engine::PointGeometry g = engine::geometry_of(points, i, frames);
     const engine::Vec2 f{loads[i].fx, loads[i].fy};
-    forces.push_back({frames[points.edge_body[i]].position() + g.arm_edge, dot(f, g.normal), dot(f, turned(g.normal))});
+    forces.push_back(
+        {frames[points.edge_body[i]].position() + g.arm_edge, dot(f, g.normal), dot(f, turned(g.normal))});
   }
   return forces;
 }

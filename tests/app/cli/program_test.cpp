@@ -47,7 +47,8 @@ void settle_into(const Surroundings& around) {
 
 bool has_ended(pid_t child) {
   siginfo_t info = {};
-  return ::waitid(P_PID, static_cast<id_t>(child), &info, WEXITED | WNOHANG | WNOWAIT) != 0 || info.si_pid != 0;
+  return ::waitid(P_PID, static_cast<id_t>(child), &info, WEXITED | WNOHANG | WNOWAIT) != 0 ||
+         info.si_pid != 0;
 }
 
 void signal_when_it_says(pid_t child, const Surroundings& around, const fs::path& out) {
@@ -78,14 +79,30 @@ Ran ProgramTest::run(const std::vector<std::string>& arguments, const Surroundin
   signal_when_it_says(child, around, out);
   int status = 0;
   ::waitpid(child, &status, 0);
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, WIFSIGNALED(status) ? WTERMSIG(status) : 0, read_file(out),
-          read_file(err)};
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, WIFSIGNALED(status) ? WTERMSIG(status) : 0,
+          read_file(out), read_file(err)};
 }
 
 fs::path ProgramTest::write(const std::string& name, const std::string& text) const {
   make_directory((folder() / name).parent_path());
   write_file(folder() / name, text);
   return folder() / name;
+}
+
+Surroundings ProgramTest::with_gnuplot(const std::string& script) const {
+  const fs::path program = tools_.path() / "gnuplot";
+  write_file(program, "#!/bin/sh\n" + script);
+  fs::permissions(program, fs::perms::owner_all);
+  Surroundings around;
+  around.environment["PATH"] = tools_.path().string() + ":/usr/bin:/bin";
+  return around;
+}
+
+Surroundings ProgramTest::with_quick_plots() const {
+  return with_gnuplot(
+      "cat > /dev/null\n"
+      "echo '<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"1\" height=\"1\"/>' > figure.svg\n"
+      "echo > figure.png\n");
 }
 
 std::vector<std::string> ProgramTest::listing() const {
@@ -96,8 +113,8 @@ std::vector<std::string> ProgramTest::listing() const {
   return names;
 }
 
-void ProgramTest::expect_refusal(const std::vector<std::string>& arguments, const std::vector<std::string>& words,
-                                 const Surroundings& around) const {
+void ProgramTest::expect_refusal(const std::vector<std::string>& arguments,
+                                 const std::vector<std::string>& words, const Surroundings& around) const {
   const auto before = listing();
   const Ran ran = run(arguments, around);
   EXPECT_EQ(ran.exit_code, 2) << ran.out << ran.err;
@@ -107,7 +124,9 @@ void ProgramTest::expect_refusal(const std::vector<std::string>& arguments, cons
 }
 
 std::vector<std::string> short_run(const std::string& out, const std::vector<std::string>& more) {
-  std::vector<std::string> arguments{"run", "--record", "wenchuan", "--set", "duration=1 s", "--out", out};
+  std::vector<std::string> arguments{"run", "--set", "duration=1 s", "--out", out};
+  if (std::ranges::find(more, "--record") == more.end())
+    arguments.insert(arguments.end(), {"--record", "wenchuan"});
   arguments.insert(arguments.end(), more.begin(), more.end());
   return arguments;
 }

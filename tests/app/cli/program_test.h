@@ -37,6 +37,10 @@ class ProgramTest : public testing::Test {
   std::filesystem::path write(const std::string& name, const std::string& text) const;
   std::string read(const std::string& name) const { return read_file(folder() / name); }
   bool exists(const std::string& name) const { return std::filesystem::exists(folder() / name); }
+  /// Surroundings in which gnuplot is a shell script of this body.
+  Surroundings with_gnuplot(const std::string& script) const;
+  /// A gnuplot that draws nothing, for tests of everything but the figures.
+  Surroundings with_quick_plots() const;
   /// Every file and folder below folder(), sorted.
   std::vector<std::string> listing() const;
 
@@ -45,10 +49,10 @@ class ProgramTest : public testing::Test {
                       const Surroundings& around = {}) const;
 
  private:
-  TemporaryDirectory folder_, outputs_;
+  TemporaryDirectory folder_, outputs_, tools_;
 };
 
-/// A run of the four-storey building that takes a second.
+/// One second of the four-storey building on a shipped record, unless `more` says otherwise.
 std::vector<std::string> short_run(const std::string& out, const std::vector<std::string>& more = {});
 
 }  // namespace dougong::app

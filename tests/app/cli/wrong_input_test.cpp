@@ -12,11 +12,14 @@ using Words = std::vector<std::string>;
 class WrongInput : public ProgramTest {};
 
 const std::string at2_head =
-    "PEER NGA STRONG MOTION DATABASE RECORD\nTest, 1/1/2000, Nowhere, 0\nACCELERATION TIME SERIES IN UNITS OF G\n";
+    "PEER NGA STRONG MOTION DATABASE RECORD\nTest, 1/1/2000, Nowhere, 0\nACCELERATION TIME SERIES IN UNITS "
+    "OF G\n";
 
 // --- the command line itself -------------------------------------------------------------------------
 
-TEST_F(WrongInput, NoCommandNamesThemAll) { expect_refusal({}, {"expected a command", "run", "layouts", "report"}); }
+TEST_F(WrongInput, NoCommandNamesThemAll) {
+  expect_refusal({}, {"expected a command", "run", "layouts", "report"});
+}
 
 TEST_F(WrongInput, AnUnknownCommandIsAnsweredByTheNearest) {
   expect_refusal({"runn"}, {"unknown command \"runn\"", "did you mean \"run\"?"});
@@ -24,8 +27,13 @@ TEST_F(WrongInput, AnUnknownCommandIsAnsweredByTheNearest) {
 }
 
 TEST_F(WrongInput, AnUnknownFlagIsAnsweredByTheNearest) {
-  expect_refusal({"run", "--recrod", "wenchuan"}, {"unknown option \"--recrod\"", "did you mean \"--record\"?"});
+  expect_refusal({"run", "--recrod", "wenchuan"},
+                 {"unknown option \"--recrod\"", "did you mean \"--record\"?"});
   expect_refusal({"--bogus"}, {"unknown option \"--bogus\" of dougong"});
+}
+
+TEST_F(WrongInput, AFlagGivenTwiceIsNotQuietlyIgnored) {
+  expect_refusal({"run", "--record", "wenchuan", "--record", "tohoku"}, {"--record", "received 2"});
 }
 
 TEST_F(WrongInput, AMissingArgumentIsNamed) {
@@ -36,7 +44,8 @@ TEST_F(WrongInput, AMissingArgumentIsNamed) {
 }
 
 TEST_F(WrongInput, AUnitThatLostItsQuotesIsNotTakenForAScenario) {
-  expect_refusal({"run", "--record", "wenchuan", "--pga", "0.4", "g"}, {"scenario g", "in quotes", "--pga \"0.4 g\""});
+  expect_refusal({"run", "--record", "wenchuan", "--pga", "0.4", "g"},
+                 {"scenario g", "in quotes", "--pga \"0.4 g\""});
 }
 
 TEST_F(WrongInput, AScenarioAfterSetIsNotTakenForAnotherSet) {
@@ -46,18 +55,21 @@ TEST_F(WrongInput, AScenarioAfterSetIsNotTakenForAnotherSet) {
 // --- keys and values ----------------------------------------------------------------------------------
 
 TEST_F(WrongInput, AnUnknownLayoutIsAnsweredByTheNearest) {
-  expect_refusal(short_run("out", {"--layout", "four-story"}), {"\"four-story\"", "did you mean \"four-storey\"?"});
+  expect_refusal(short_run("out", {"--layout", "four-story"}),
+                 {"\"four-story\"", "did you mean \"four-storey\"?"});
   expect_refusal({"layout", "show", "brickwall"}, {"\"brickwall\"", "did you mean \"brick-wall\"?"});
 }
 
 TEST_F(WrongInput, AnUnknownKeyIsAnsweredByTheNearest) {
-  expect_refusal(short_run("out", {"--set", "storys=3"}), {"--set storys=3", "did you mean \"layout.storeys\"?"});
+  expect_refusal(short_run("out", {"--set", "storys=3"}),
+                 {"--set storys=3", "did you mean \"layout.storeys\"?"});
   expect_refusal(short_run("out", {"--set", "nonsense"}), {"--set nonsense", "expected key=value"});
 }
 
 TEST_F(WrongInput, ALengthWithoutUnitListsTheUnits) {
-  expect_refusal(short_run("out", {"--set", "left_column_width=0.3"}),
-                 {"left_column_width", "expected a length with its unit (m, mm, cm, km)", "found the bare number 0.3"});
+  expect_refusal(
+      short_run("out", {"--set", "left_column_width=0.3"}),
+      {"left_column_width", "expected a length with its unit (m, mm, cm, km)", "found the bare number 0.3"});
 }
 
 TEST_F(WrongInput, ANegativeLengthNamesTheRange) {
@@ -79,11 +91,15 @@ TEST_F(WrongInput, PgaAndScaleExcludeEachOther) {
 struct BadSetting {
   std::string setting, expected, found;
 };
+void PrintTo(const BadSetting& bad, std::ostream* out) {
+  *out << bad.setting;
+}
 class BadSettings : public ProgramTest, public testing::WithParamInterface<BadSetting> {};
 
 TEST_P(BadSettings, SayWhatIsExpected) {
   const auto& [setting, expected, found] = GetParam();
-  expect_refusal(short_run("out", {"--set", setting}), {setting.substr(0, setting.find('=')), expected, found});
+  expect_refusal(short_run("out", {"--set", setting}),
+                 {setting.substr(0, setting.find('=')), expected, found});
 }
 INSTANTIATE_TEST_SUITE_P(
     Extreme, BadSettings,
@@ -100,23 +116,27 @@ INSTANTIATE_TEST_SUITE_P(
                     BadSetting{"slab_length=5 m", "at least", "found 5 m"}));
 
 TEST_F(WrongInput, AWallWithoutCoursesIsRefused) {
-  expect_refusal(short_run("out", {"--layout", "brick-wall", "--set", "courses=0"}), {"courses", "from 1 to 400"});
+  expect_refusal(short_run("out", {"--layout", "brick-wall", "--set", "courses=0"}),
+                 {"courses", "from 1 to 400"});
 }
 
 TEST_F(WrongInput, ResultsThatDoNotFitIntoMemoryAreRefusedBeforeTheRun) {
-  expect_refusal({"run", "--record", "wenchuan", "--set", "rate=1e6 Hz", "--set", "duration=1e5 s", "--out", "out"},
-                 {"output.rate", "fit into the memory"});
+  expect_refusal(
+      {"run", "--record", "wenchuan", "--set", "rate=1e6 Hz", "--set", "duration=1e5 s", "--out", "out"},
+      {"output.rate", "fit into the memory"});
 }
 
 // --- scenario files --------------------------------------------------------------------------------------
 
 TEST_F(WrongInput, AllMistakesOfAScenarioAreListedWithTheirPlaces) {
   write("study.toml",
-        "[layout]\nname = \"four-storey\"\nstorys = 3\nleft_column_width = 0.3\n\n[record]\nname = \"wenchuan\"\n"
+        "[layout]\nname = \"four-storey\"\nstorys = 3\nleft_column_width = 0.3\n\n[record]\nname = "
+        "\"wenchuan\"\n"
         "pga = \"0.4 m\"\nscale = 2\n");
-  expect_refusal({"run", "study.toml"},
-                 {"study.toml:3:1: unknown key \"layout.storys\"", "study.toml:4:21: layout.left_column_width",
-                  "study.toml:8:7: record.pga", "study.toml:9:9: record.scale and record.pga exclude each other"});
+  expect_refusal(
+      {"run", "study.toml"},
+      {"study.toml:3:1: unknown key \"layout.storys\"", "study.toml:4:21: layout.left_column_width",
+       "study.toml:8:7: record.pga", "study.toml:9:9: record.scale and record.pga exclude each other"});
 }
 
 TEST_F(WrongInput, AScenarioThatIsNotTomlNamesTheLine) {
@@ -150,6 +170,9 @@ struct BadRecord {
   std::string name, text;
   Words words;
 };
+void PrintTo(const BadRecord& record, std::ostream* out) {
+  *out << record.name;
+}
 class BadRecords : public ProgramTest, public testing::WithParamInterface<BadRecord> {};
 
 TEST_P(BadRecords, NameTheFileAndTheFault) {
@@ -160,15 +183,18 @@ TEST_P(BadRecords, NameTheFileAndTheFault) {
 }
 INSTANTIATE_TEST_SUITE_P(
     Files, BadRecords,
-    testing::Values(BadRecord{"empty.AT2", "", {"empty.AT2", "an empty file"}},
-                    BadRecord{"garbage.bin", std::string("\x7f\x00\x01\xfe\xff\x80 \x03\x1b[31m", 13),
-                              {"garbage.bin", "expected a known format (tried: PEER AT2"}},
-                    BadRecord{"cut.AT2", at2_head + "NPTS= 9, DT= .01 SEC\n 0.1 0.2 0.3\n",
-                              {"cut.AT2:4", "expected 9 values", "found 3", "truncated"}},
-                    BadRecord{"one.AT2", at2_head + "NPTS= 1, DT= .01 SEC\n 0.1\n",
-                              {"one.AT2:4", "at least 2 samples"}},
-                    BadRecord{"nan.AT2", at2_head + "NPTS= 4, DT= .01 SEC\n 0.1 NaN 0.3 0.2\n",
-                              {"nan.AT2:5", "expected finite numbers", "NaN"}}));
+    testing::Values(
+        BadRecord{"empty.AT2", "", {"empty.AT2", "an empty file"}},
+        BadRecord{"garbage.bin",
+                  std::string("\x7f\x00\x01\xfe\xff\x80 \x03\x1b[31m", 13),
+                  {"garbage.bin", "expected a known format (tried: PEER AT2"}},
+        BadRecord{"cut.AT2",
+                  at2_head + "NPTS= 9, DT= .01 SEC\n 0.1 0.2 0.3\n",
+                  {"cut.AT2:4", "expected 9 values", "found 3", "truncated"}},
+        BadRecord{"one.AT2", at2_head + "NPTS= 1, DT= .01 SEC\n 0.1\n", {"one.AT2:4", "at least 2 samples"}},
+        BadRecord{"nan.AT2",
+                  at2_head + "NPTS= 4, DT= .01 SEC\n 0.1 NaN 0.3 0.2\n",
+                  {"nan.AT2:5", "expected finite numbers", "NaN"}}));
 
 TEST_F(WrongInput, AFileWithoutUnitsSaysHowToGiveThem) {
   write("plain.txt", "time acceleration\n0.00 0.1\n0.01 0.2\n0.02 -0.1\n0.03 0.0\n");
@@ -196,8 +222,9 @@ TEST_F(WrongInput, AFileThatMustNotBeReadSaysSo) {
   ::chmod(folder().c_str(), 0755);
   Surroundings around;
   around.as_nobody = ::geteuid() == 0;
-  if (run({"--version"}, around).exit_code != 0) GTEST_SKIP() << "the program cannot be started without root's rights";
-  expect_refusal({"record", "info", "secret.AT2"}, {"secret.AT2", "ermission denied"}, around);
+  if (run({"--version"}, around).exit_code != 0)
+    GTEST_SKIP() << "the program cannot be started without root's rights";
+  expect_refusal({"record", "info", "secret.AT2"}, {"secret.AT2", "expected a readable file"}, around);
 }
 
 // --- where the results go --------------------------------------------------------------------------------
@@ -216,7 +243,8 @@ TEST_F(WrongInput, AFolderThatCannotBeWrittenIsFoundOutBeforeTheRun) {
   ::chmod(folder().c_str(), 0755);
   Surroundings around;
   around.as_nobody = ::geteuid() == 0;
-  if (run({"--version"}, around).exit_code != 0) GTEST_SKIP() << "the program cannot be started without root's rights";
+  if (run({"--version"}, around).exit_code != 0)
+    GTEST_SKIP() << "the program cannot be started without root's rights";
   expect_refusal(short_run("locked"), {"locked", "ermission denied"}, around);
   expect_refusal(short_run("locked/below"), {"locked/below", "ermission denied"}, around);
 }
@@ -230,7 +258,8 @@ TEST_F(WrongInput, AFolderWithoutARunHasNoReport) {
 TEST_F(WrongInput, APictureNeedsAKnownEndingAndIsNotWrittenOver) {
   write("wall.png", "kept");
   expect_refusal({"layout", "show", "brick-wall", "--picture", "wall.jpg"}, {"wall.jpg", ".png or .svg"});
-  expect_refusal({"layout", "show", "brick-wall", "--picture", "wall.png"}, {"wall.png", "exists", "--force"});
+  expect_refusal({"layout", "show", "brick-wall", "--picture", "wall.png"},
+                 {"wall.png", "exists", "--force"});
   EXPECT_EQ(read("wall.png"), "kept");
 }
 

@@ -34,7 +34,8 @@ std::vector<BodyPair> all_close_pairs(const Model& model, std::span<const Frame>
   for (Index i = 0; i < model.size(); ++i)
     for (Index j = i + 1; j < model.size(); ++j) {
       if (model.is_terrain(i) && model.is_terrain(j)) continue;
-      if (norm(frames[i].position() - frames[j].position()) > model.bounding_radius[i] + model.bounding_radius[j] + skin)
+      if (norm(frames[i].position() - frames[j].position()) >
+          model.bounding_radius[i] + model.bounding_radius[j] + skin)
         continue;
       const Bounds a = bounds_of(model.shapes[i], frames[i]), b = bounds_of(model.shapes[j], frames[j]);
       if (a.low.x - b.high.x > skin || b.low.x - a.high.x > skin) continue;
@@ -49,8 +50,11 @@ Scene random_scene(std::mt19937& random, int bodies, double spread) {
   for (int i = 0; i < bodies; ++i) {
     const Vec2 place{testing::uniform(random, -spread, spread), testing::uniform(random, 0.0, spread)};
     const double size = testing::uniform(random, 0.1, 0.5);
-    if (i % 3 == 0) all.push_back(testing::body_of(make_circle(size), place, 0.0));
-    else all.push_back(testing::body_of(testing::random_polygon(random, size), place, testing::uniform(random, -3, 3)));
+    if (i % 3 == 0)
+      all.push_back(testing::body_of(make_circle(size), place, 0.0));
+    else
+      all.push_back(
+          testing::body_of(testing::random_polygon(random, size), place, testing::uniform(random, -3, 3)));
   }
   return testing::scene_of(std::move(all));
 }

@@ -14,7 +14,8 @@ struct Contact {
   Model model;
   std::vector<Frame> frames;
 
-  explicit Contact(Scene s) : scene(std::move(s)), model(compile(scene)), frames(testing::frames_at_start(model, scene)) {}
+  explicit Contact(Scene s)
+      : scene(std::move(s)), model(compile(scene)), frames(testing::frames_at_start(model, scene)) {}
   Manifold find(double margin = 0.01, const Manifold& previous = {}) const {
     return find_manifold(model, frames, 0, 1, margin, previous);
   }
@@ -64,8 +65,9 @@ TEST(Manifold, OfOffsetFacesIsTheirCommonPart) {
 }
 
 TEST(Manifold, OfACornerInAFaceHasThatCorner) {
-  const double diagonal = 0.5 * std::hypot(0.4, 0.2), angle = std::atan2(0.2, 0.4);
-  const Contact c(testing::scene_of({brick({0, -0.5}, 0.0, 4.0, 1.0), brick({0.3, diagonal - 0.001}, 1.0 - angle)}));
+  const double angle = 1.0 - std::atan2(0.2, 0.4);  // the lowest corner points down at 1 rad
+  const double height = 0.5 * std::hypot(0.4, 0.2) * std::sin(1.0);
+  const Contact c(testing::scene_of({brick({0, -0.5}, 0.0, 4.0, 1.0), brick({0.3, height - 0.001}, angle)}));
   const Manifold m = c.find();
   ASSERT_GE(m.count, 1u);
   double deepest = 1.0;
@@ -76,7 +78,7 @@ TEST(Manifold, OfACornerInAFaceHasThatCorner) {
   }
   double lowest = 1.0;  // corner of the brick, from its pose alone
   for (const Vec2 v : std::get<ConvexPolygon>(c.scene.bodies[1].shape).vertices())
-    lowest = std::min(lowest, (c.scene.bodies[1].position + rotated(v, 1.0 - angle)).y);
+    lowest = std::min(lowest, (c.scene.bodies[1].position + rotated(v, angle)).y);
   EXPECT_NEAR(deepest, lowest, 1e-13);
 }
 
@@ -126,10 +128,11 @@ TEST(Manifold, GivesTheTwoEndsDifferentIdentities) {
   std::mt19937 random(7);
   int pairs = 0;
   for (int i = 0; i < 2000; ++i) {
-    const Contact c(testing::scene_of({testing::body_of(testing::random_polygon(random, 1.0), {}, 0.0),
-                                       testing::body_of(testing::random_polygon(random, 0.7),
-                                                        {testing::uniform(random, -2, 2), testing::uniform(random, -2, 2)},
-                                                        testing::uniform(random, -3, 3))}));
+    const Contact c(testing::scene_of(
+        {testing::body_of(testing::random_polygon(random, 1.0), {}, 0.0),
+         testing::body_of(testing::random_polygon(random, 0.7),
+                          {testing::uniform(random, -2, 2), testing::uniform(random, -2, 2)},
+                          testing::uniform(random, -3, 3))}));
     const Manifold m = c.find();
     if (m.count < 2) continue;
     ++pairs;
@@ -144,10 +147,12 @@ TEST(Manifold, IsTheSameUnderSwappingTheBodies) {
   std::mt19937 random(8);
   int compared = 0;
   for (int i = 0; i < 500; ++i) {
-    const Body one = testing::body_of(testing::random_polygon(random, 1.0), {}, testing::uniform(random, -3, 3));
-    const Body two = testing::body_of(testing::random_polygon(random, 1.0),
-                                      rotated({testing::uniform(random, 1.0, 1.9), 0.0}, testing::uniform(random, -3, 3)),
-                                      testing::uniform(random, -3, 3));
+    const Body one =
+        testing::body_of(testing::random_polygon(random, 1.0), {}, testing::uniform(random, -3, 3));
+    const Body two =
+        testing::body_of(testing::random_polygon(random, 1.0),
+                         rotated({testing::uniform(random, 1.0, 1.9), 0.0}, testing::uniform(random, -3, 3)),
+                         testing::uniform(random, -3, 3));
     const Contact ab(testing::scene_of({one, two})), ba(testing::scene_of({two, one}));
     const Manifold m = ab.find(1e-9), n = ba.find(1e-9);
     ASSERT_EQ(m.count, n.count) << i;
@@ -171,11 +176,14 @@ TEST(Manifold, OfAMirroredPairIsMirrored) {
   std::mt19937 random(9);
   int compared = 0;
   for (int i = 0; i < 500; ++i) {
-    const Body one = testing::body_of(testing::random_polygon(random, 1.0), {}, testing::uniform(random, -3, 3));
-    const Body two = testing::body_of(testing::random_polygon(random, 1.0),
-                                      rotated({testing::uniform(random, 1.0, 1.9), 0.0}, testing::uniform(random, -3, 3)),
-                                      testing::uniform(random, -3, 3));
-    const Contact here(testing::scene_of({one, two})), there(testing::scene_of({mirrored(one), mirrored(two)}));
+    const Body one =
+        testing::body_of(testing::random_polygon(random, 1.0), {}, testing::uniform(random, -3, 3));
+    const Body two =
+        testing::body_of(testing::random_polygon(random, 1.0),
+                         rotated({testing::uniform(random, 1.0, 1.9), 0.0}, testing::uniform(random, -3, 3)),
+                         testing::uniform(random, -3, 3));
+    const Contact here(testing::scene_of({one, two})),
+        there(testing::scene_of({mirrored(one), mirrored(two)}));
     const Manifold m = here.find(1e-9), n = there.find(1e-9);
     ASSERT_EQ(m.count, n.count) << i;
     if (m.count == 0) continue;
@@ -188,15 +196,16 @@ TEST(Manifold, OfAMirroredPairIsMirrored) {
 }
 
 TEST(Manifold, OfACircleIsItsNearestPoint) {
-  const Contact face(testing::scene_of({brick({0, -0.5}, 0.0, 4.0, 1.0), testing::body_of(make_circle(0.3), {0.7, 0.29}, 2.0)}));
+  const Contact face(testing::scene_of(
+      {brick({0, -0.5}, 0.0, 4.0, 1.0), testing::body_of(make_circle(0.3), {0.7, 0.29}, 2.0)}));
   const Manifold on_face = face.find();
   ASSERT_EQ(on_face.count, 1u);
   EXPECT_EQ(on_face.features[0].kind, FeatureKind::corner_edge);
   EXPECT_NEAR(face.gap(on_face.features[0]), -0.01, 1e-13);
 
   const Vec2 corner{2.0, 0.0}, away = rotated({1.0, 0.0}, 0.9);
-  const Contact tip(testing::scene_of({brick({0, -0.5}, 0.0, 4.0, 1.0),
-                                       testing::body_of(make_circle(0.3), corner + 0.295 * away, 0.0)}));
+  const Contact tip(testing::scene_of(
+      {brick({0, -0.5}, 0.0, 4.0, 1.0), testing::body_of(make_circle(0.3), corner + 0.295 * away, 0.0)}));
   const Manifold on_corner = tip.find();
   ASSERT_EQ(on_corner.count, 1u);
   EXPECT_EQ(on_corner.features[0].kind, FeatureKind::round);
@@ -206,8 +215,9 @@ TEST(Manifold, OfACircleIsItsNearestPoint) {
 
 TEST(Manifold, OfTwoCirclesIsOnTheLineOfCentres) {
   for (const double distance : {0.79, 0.805, 0.82}) {
-    const Contact c(testing::scene_of({testing::body_of(make_circle(0.3), {}, 0.0),
-                                       testing::body_of(make_circle(0.5), rotated({distance, 0.0}, 2.1), 0.0)}));
+    const Contact c(
+        testing::scene_of({testing::body_of(make_circle(0.3), {}, 0.0),
+                           testing::body_of(make_circle(0.5), rotated({distance, 0.0}, 2.1), 0.0)}));
     const Manifold m = c.find();
     ASSERT_EQ(m.count, distance < 0.81 ? 1u : 0u) << distance;
     if (m.count == 0) continue;

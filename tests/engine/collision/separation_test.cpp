@@ -17,8 +17,8 @@ Frame pose(Vec2 position, double angle) {
 }
 
 // Everything in world coordinates, from the definition.
-double by_definition(const ConvexPolygon& owner, const Frame& fo, std::size_t edge, const ConvexPolygon& other,
-                     const Frame& fx) {
+double by_definition(const ConvexPolygon& owner, const Frame& fo, std::size_t edge,
+                     const ConvexPolygon& other, const Frame& fx) {
   const Vec2 p = fo.to_world(owner.vertex(edge)), q = fo.to_world(owner.vertex(edge + 1));
   const Vec2 n = (-1.0 / norm(q - p)) * turned(q - p);
   double lowest = std::numeric_limits<double>::infinity();
@@ -79,9 +79,9 @@ TEST(Separation, DoesNotSeeACommonShiftOrTurn) {
   std::mt19937 random(3);
   const ConvexPolygon a = testing::random_polygon(random, 1.0), b = testing::random_polygon(random, 1.0);
   const double here = greatest_separation(a, pose({}, 0.3), b, pose({1.9, 0.4}, 1.1)).separation;
-  const double there =
-      greatest_separation(a, pose({1e3, -2e3}, 0.3 + 0.8), b, pose(Vec2{1e3, -2e3} + rotated({1.9, 0.4}, 0.8), 1.1 + 0.8))
-          .separation;
+  const double there = greatest_separation(a, pose({1e3, -2e3}, 0.3 + 0.8), b,
+                                           pose(Vec2{1e3, -2e3} + rotated({1.9, 0.4}, 0.8), 1.1 + 0.8))
+                           .separation;
   EXPECT_NEAR(here, there, 1e-11);
 }
 

@@ -20,7 +20,8 @@ TEST(PointStiffness, IsTwoColumnsInSeries) {
     s.materials[1].young_modulus = 5e9;
     s.materials[1].poisson_ratio = 0.3;
     s.materials[1].friction_coefficient = 0.4;
-    s.bodies = {scenes::block(0.5, 0.2, {0, 0.2}), scenes::block(0.3, upper_height, {0.1, 0.4 + upper_height})};
+    s.bodies = {scenes::block(0.5, 0.2, {0, 0.2}),
+                scenes::block(0.3, upper_height, {0.1, 0.4 + upper_height})};
     s.bodies[0].thickness = 0.7;
     s.bodies[1].material = 1;
     const Running r(s);
@@ -38,9 +39,11 @@ TEST(PointStiffness, OnTerrainIsTheBlocksOwnColumn) {
     const double m = r.model.mass[0], i = r.model.inertia[0];
     const PointStiffness& p = r.state.contacts.points.stiffness.at(0);
     EXPECT_NEAR(p.normal, 30e9 / h * 0.5 / 2.0, 1e-9 * p.normal);
-    const double felt_normal = 1.0 / (1.0 / m + 0.25 * 0.25 / i), felt_tangential = 1.0 / (1.0 / m + h * h / i);
+    const double felt_normal = 1.0 / (1.0 / m + 0.25 * 0.25 / i),
+                 felt_tangential = 1.0 / (1.0 / m + h * h / i);
     EXPECT_NEAR(p.normal_damping, 2.0 * std::sqrt(p.normal * felt_normal), 1e-9 * p.normal_damping);
-    EXPECT_NEAR(p.tangential_damping, 2.0 * std::sqrt(p.tangential * felt_tangential), 1e-9 * p.tangential_damping);
+    EXPECT_NEAR(p.tangential_damping, 2.0 * std::sqrt(p.tangential * felt_tangential),
+                1e-9 * p.tangential_damping);
   }
 }
 
@@ -51,7 +54,8 @@ TEST(PointStiffness, OfADiscIsJohnsonsLine) {
   s.bodies = {disc};
   s.terrains.push_back(scenes::ground());
   const Running r(s);
-  EXPECT_NEAR(r.state.contacts.points.stiffness.at(0).normal, std::numbers::pi / 4.0 * 30e9 / (1.0 - 0.04), 1.0);
+  EXPECT_NEAR(r.state.contacts.points.stiffness.at(0).normal, std::numbers::pi / 4.0 * 30e9 / (1.0 - 0.04),
+              1.0);
 }
 
 TEST(PointStiffness, CanBeGiven) {

@@ -41,14 +41,28 @@ Scene block_on_incline(const oracles::Incline& c, double young_modulus) {
   return s;
 }
 
+// The springs of the faces hold the friction from the start: the uphill corner as much as it can up to
+// a half, the downhill one the rest.
+void load_friction(Running& r, const oracles::Incline& c) {
+  scenes::touch(r);
+  const double weight = r.model.mass[0] * c.g, friction = c.friction_over_weight() * weight;
+  const double uphill = std::min(0.5 * friction, c.friction * c.uphill_share() * weight * std::cos(c.slope));
+  const Vec2 slip =
+      ((friction - uphill) / r.state.contacts.points.stiffness.at(0).tangential) * rotated({1, 0}, -c.slope);
+  r.state.q()[0] += slip.x, r.state.q()[1] += slip.y;
+}
+
 void check_incline(const oracles::Incline& c) {
   const std::string name = "mu=" + text(c.friction) + " slope=" + text(c.slope / degree);
   Running r(block_on_incline(c, 30e9));
+  load_friction(r, c);
   const Vec2 start = r.position(), down = rotated({1.0, 0.0}, -c.slope);
   r.run(run_for(1.0));
   const double slid = dot(r.position() - start, down);
-  if (c.sticks()) expect_absolute("E03", name + " creep", 0.0, slid, 1e-5);
-  else expect_relative("E03", name + " slid", c.slid(1.0), slid, 0.005);
+  if (c.sticks())
+    expect_absolute("E03", name + " creep", 0.0, slid, 1e-5);
+  else
+    expect_relative("E03", name + " slid", c.slid(1.0), slid, 0.005);
 
   double friction = 0.0, normal = 0.0, uphill = 0.0;
   for (const auto& f : scenes::point_forces(r.model, r.state)) {
@@ -93,8 +107,10 @@ void check_ledge(const oracles::Ledge& c, double friction) {
     if (next < 3 && angle >= targets[next] * degree) {
       const double part = (targets[next] * degree - last_angle) / (angle - last_angle);
       const std::string name = "d=" + text(c.d) + " " + text(targets[next]) + " deg ";
-      expect_relative("E06", name + "t", c.time_to(targets[next] * degree), last_time + part * (time - last_time), 0.01);
-      expect_relative("E06", name + "omega", c.spin(targets[next] * degree), last_spin + part * (spin - last_spin), 0.01);
+      expect_relative("E06", name + "t", c.time_to(targets[next] * degree),
+                      last_time + part * (time - last_time), 0.01);
+      expect_relative("E06", name + "omega", c.spin(targets[next] * degree),
+                      last_spin + part * (spin - last_spin), 0.01);
       ++next;
     }
     last_angle = angle, last_time = time, last_spin = spin;
@@ -135,8 +151,8 @@ void check_resting(const oracles::RestingBlock& c) {
   Running r(resting_block(c, b, h));
   expect_relative("E14", "critical step velocity-verlet", c.verlet_step(),
                   plan_steps(r.model, r.state, run_for(0.1)).bound, 1e-5);
-  expect_relative("E14", "critical step rk4", c.rk4_step(), plan_steps(r.model, r.state, run_for(0.1, 0.01, "rk4")).bound,
-                  1e-5);
+  expect_relative("E14", "critical step rk4", c.rk4_step(),
+                  plan_steps(r.model, r.state, run_for(0.1, 0.01, "rk4")).bound, 1e-5);
   r.run(run_for(0.5));
   double reaction = 0.0;
   for (const auto& f : scenes::point_forces(r.model, r.state)) reaction += f.normal;
@@ -158,7 +174,8 @@ TEST(RestingBlock, HasASafeStepWithTangentialSpringsToo) {
   const double bound = plan_steps(r.model, r.state, run_for(0.1)).bound;
   EXPECT_LT(bound, c.verlet_step());
   EXPECT_GT(bound, 0.6 * c.verlet_step());
-  std::printf("E14 with tangential springs: bound over vertical critical step %.4f\n", bound / c.verlet_step());
+  std::printf("E14 with tangential springs: bound over vertical critical step %.4f\n",
+              bound / c.verlet_step());
 }
 
 Scene sliding_block(double friction, std::shared_ptr<const PrescribedMotion> motion) {
@@ -168,25 +185,24 @@ Scene sliding_block(double friction, std::shared_ptr<const PrescribedMotion> mot
   return s;
 }
 
-void check_harmonic(double amplitude, double frequency, double friction, int cycles, double residual_tolerance) {
+void check_harmonic(double amplitude, double frequency, double friction, int cycles,
+                    double residual_tolerance) {
   const double w = 2.0 * std::numbers::pi * frequency, a = amplitude * 9.81;
   const auto displacement = [=](double t) { return a / w * (t - std::sin(w * t) / w); };
-  Running r(sliding_block(friction, scenes::horizontal_motion([=](double t) { return a * std::sin(w * t); },
-                                                              [=](double t) { return a / w * (1 - std::cos(w * t)); },
-                                                              displacement)));
-  const oracles::HarmonicSlider exact(a, w, friction * 9.81);
+  Running r(sliding_block(
+      friction,
+      scenes::horizontal_motion([=](double t) { return a * std::sin(w * t); },
+                                [=](double t) { return a / w * (1 - std::cos(w * t)); }, displacement)));
+  const oracles::HarmonicSlider exact(a, w, friction * 9.81, cycles / frequency);
   const double limit = friction * r.model.mass[0] * 9.81;
-  double first_slip = 0.0, low = 0.0, high = 0.0, exact_low = 0.0, exact_high = 0.0, path = 0.0, last = 0.0;
-  double exact_path = 0.0, exact_last = 0.0;
+  double first_slip = 0.0, low = 0.0, high = 0.0, path = 0.0, last = 0.0;
   std::vector<double> at_cycle_ends;
-  const double interval = 1e-4 / frequency * 2.0;
+  const double interval = 2e-4 / frequency;
   std::size_t count = 0;
   r.run(run_for(cycles / frequency, interval), [&](const Sample& sample) {
-    const double t = sample.state.time, u = r.position().x - displacement(t), v = exact.displacement(t);
+    const double t = sample.state.time, u = r.position().x - displacement(t);
     if (first_slip == 0.0 && std::abs(sample.terrain_reaction.x) > 0.99999 * limit) first_slip = t;
     low = std::min(low, u), high = std::max(high, u), path += std::abs(u - last), last = u;
-    exact_low = std::min(exact_low, v), exact_high = std::max(exact_high, v);
-    exact_path += std::abs(v - exact_last), exact_last = v;
     if (count > 0 && count % 5000 == 0) at_cycle_ends.push_back(u);
     ++count;
     return Wish::go_on;
@@ -197,28 +213,33 @@ void check_harmonic(double amplitude, double frequency, double friction, int cyc
   for (int i = 1; i <= cycles; ++i)
     expect_relative("S01", name + "end of cycle " + std::to_string(i), exact.displacement(i / frequency),
                     at_cycle_ends[static_cast<std::size_t>(i - 1)], residual_tolerance);
-  expect_relative("S01", name + "range", exact_high - exact_low, high - low, 0.01);
-  expect_relative("S01", name + "path", exact_path, path, 0.01);
+  expect_relative("S01", name + "range", exact.range(), high - low, 0.01);
+  expect_relative("S01", name + "path", exact.path(), path, 0.01);
 }
 
 TEST(HarmonicSliding, IsTheReference) {
-  const oracles::HarmonicSlider exact(0.5 * 9.81, 4.0 * std::numbers::pi, 0.3 * 9.81);
+  const oracles::HarmonicSlider exact(0.5 * 9.81, 4.0 * std::numbers::pi, 0.3 * 9.81, 2.5);
   expect_relative("S01", "oracle: first slip", 0.0512082, exact.first_slip(), 1e-6);
-  for (int i = 1; i <= 5; ++i) expect_relative("S01", "oracle: end of cycle", -0.001927, exact.displacement(0.5 * i), 3e-4);
+  for (int i = 1; i <= 5; ++i)
+    expect_relative("S01", "oracle: end of cycle", -0.001927, exact.displacement(0.5 * i), 3e-4);
   check_harmonic(0.5, 2.0, 0.3, 5, 0.01);
 }
-TEST(HarmonicSliding, IsTheReferenceForOtherGroundsToo) { check_harmonic(0.6, 1.0, 0.2, 2, 0.01); }
+TEST(HarmonicSliding, IsTheReferenceForOtherGroundsToo) {
+  check_harmonic(0.6, 1.0, 0.2, 2, 0.01);
+}
 
 void check_pulse(const oracles::PulseSlider& c) {
   const double a = c.amplitude, d = c.duration;
   const auto displacement = [=](double t) { return t < d ? 0.5 * a * t * t : a * d * (t - 0.5 * d); };
-  Running r(sliding_block(c.friction_acceleration / 9.81,
-                          scenes::horizontal_motion([=](double t) { return t < d ? a : 0.0; },
-                                                    [=](double t) { return a * std::min(t, d); }, displacement)));
+  Running r(
+      sliding_block(c.friction_acceleration / 9.81,
+                    scenes::horizontal_motion([=](double t) { return t < d ? a : 0.0; },
+                                              [=](double t) { return a * std::min(t, d); }, displacement)));
   double stopped = 0.0;
   r.run(run_for(1.2 * c.stops_at(), 1e-3), [&](const Sample& sample) {
     const double ground = a * std::min(sample.state.time, d);
-    if (stopped == 0.0 && sample.state.time > d && ground - r.velocity().x < 1e-4 * ground) stopped = sample.state.time;
+    if (stopped == 0.0 && sample.state.time > d && ground - r.velocity().x < 1e-4 * ground)
+      stopped = sample.state.time;
     return Wish::go_on;
   });
   const std::string name = "A=" + text(a / 9.81) + "g T=" + text(d) + " ";

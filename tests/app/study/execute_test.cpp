@@ -1,0 +1,196 @@
+#include "app/study/execute.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/study/moments.h"
+#include "tests/app/study/study_cases.h"
+
+namespace dougong::app::testing {
+namespace {
+
+using structures::VerdictKind;
+using ::testing::HasSubstr;
+
+TEST(Execute, EveryHistoryHasOneEntryAnOutputTime) {
+  Preparation p = prepared_drum();
+  const RunResult r = execute(p, "dougong run");
+  const std::size_t n = r.trajectory.times.size();
+  EXPECT_EQ(n, 101u);
+  for (const auto* column : {&r.energy.input, &r.energy.kinetic, &r.energy.gravity, &r.energy.elastic,
+                             &r.energy.friction, &r.energy.damping, &r.energy.error})
+    EXPECT_EQ(column->size(), n);
+  EXPECT_EQ(r.trajectory.poses.size(), 3 * n);
+  EXPECT_EQ(r.numerics.overlap_ratio.size(), n);
+  EXPECT_EQ(r.response.times, r.trajectory.times);
+}
+
+TEST(Execute, TheEnergyErrorIsWhatTheColumnsLeaveOver) {
+  Preparation p = prepared_drum();
+  const EnergyHistory e = execute(p, "").energy;
+  const auto balance = [&](std::size_t i) {
+    return e.kinetic[i] + e.gravity[i] + e.elastic[i] + e.friction[i] + e.damping[i] - e.input[i];
+  };
+  for (std::size_t i = 0; i < e.error.size(); ++i) EXPECT_NEAR(e.error[i], balance(i) - balance(0), 1e-6);
+  EXPECT_EQ(e.error.front(), 0.0);
+  EXPECT_LT(e.relative_error, 0.01);
+}
+
+TEST(Execute, TheEnergyErrorIsMeasuredByWhatGravityGaveToo) {
+  // A drum that falls from its neighbours' height turns over more than the ground puts in.
+  Preparation p = prepared({"layout=column", "drums=3", "width=0.2 m", "pga=1 g", "duration=25 s"});
+  const EnergyHistory e = execute(p, "").energy;
+  const double gave = e.gravity.front() - *std::ranges::min_element(e.gravity);
+  ASSERT_GT(gave, 2.0 * e.largest_input) << "the column must fall";
+  double error = 0.0;
+  for (const double value : e.error) error = std::max(error, std::abs(value));
+  EXPECT_GE(e.relative_error, error / (gave + e.largest_input) * 0.999);
+  EXPECT_LE(e.relative_error, error / gave);
+}
+
+TEST(Execute, TheWeakestMotionIsNoNumericalFault) {
+  Preparation p = prepared({"duration=1 s", "pga=1e-8 g"});
+  EXPECT_EQ(execute(p, "").verdict.kind, VerdictKind::survived);
+}
+
+TEST(Execute, ProgressEndsWithThePeakDriftOfTheResponse) {
+  Preparation p = prepared({"storeys=1", "duration=10 s", "pga=0.05 g"});
+  Progress last;
+  double before = -1.0;
+  const RunResult r = execute(p, "", [&](const Progress& now) {
+    EXPECT_GT(now.time, before);
+    EXPECT_GE(std::abs(now.peak_drift), std::abs(last.peak_drift));
+    before = now.time;
+    last = now;
+    return true;
+  });
+  EXPECT_DOUBLE_EQ(last.time, 10.0);
+  EXPECT_DOUBLE_EQ(last.end_time, 10.0);
+  ASSERT_NE(last.peak_drift, 0.0);
+  EXPECT_NEAR(last.peak_drift, r.response.storeys[0].peak_drift.largest().value, 1e-12);
+  EXPECT_EQ(last.energy_error, r.energy.relative_error);
+}
+
+TEST(Execute, AnInterruptedRunIsPartialAndUndecided) {
+  Preparation p = prepared_drum();
+  const RunResult r = execute(p, "", [](const Progress& now) { return now.time < 0.5; });
+  EXPECT_TRUE(r.partial);
+  EXPECT_EQ(r.verdict.kind, VerdictKind::undecided);
+  EXPECT_NEAR(r.numerics.end_time, 0.5, 0.011);
+  EXPECT_EQ(r.numerics.asked_time, 1.0);
+  EXPECT_EQ(r.trajectory.times.back(), r.numerics.end_time);
+}
+
+TEST(Execute, ACompletedRunIsNotPartial) {
+  Preparation p = prepared_drum();
+  const RunResult r = execute(p, "dougong run x");
+  EXPECT_FALSE(r.partial);
+  EXPECT_EQ(r.reproducibility.command, "dougong run x");
+  EXPECT_EQ(r.reproducibility.scenario_sha256.size(), 64u);
+}
+
+TEST(Execute, TheSamePreparationGivesTheSameState) {
+  Preparation one = prepared_drum(), two = prepared_drum(), other = prepared_drum({"pga=0.6 g"});
+  const std::string hash = execute(one, "").reproducibility.state_hash;
+  EXPECT_EQ(hash, execute(two, "").reproducibility.state_hash);
+  EXPECT_NE(hash, execute(other, "").reproducibility.state_hash);
+}
+
+TEST(Execute, AStepThatTheEngineRefusesIsAnErrorAndNoVerdict) {
+  Preparation p = prepared_drum();
+  p.drive.step = 1.0;
+  try {
+    execute(p, "");
+    FAIL() << "a step above the bound was taken";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_THAT(error.what(), HasSubstr("solve.step"));
+  }
+}
+
+// --- a building that has its verdict before anything shakes it ------------------------------------------
+
+RunResult after_settle(Preparation& p, engine::Outcome outcome) {
+  p.settle.settled = false;
+  p.settle.outcome = outcome;
+  p.settle.duration = 20.0;
+  return execute(p, "");
+}
+
+TEST(BeforeShaking, NumbersThatFailInTheSettleAreNoCollapse) {
+  Preparation p = prepared_drum();
+  const RunResult r = after_settle(p, engine::Outcome::diverged);
+  EXPECT_EQ(r.verdict.kind, VerdictKind::numerically_invalid);
+  EXPECT_EQ(r.numerics.steps, 0u);
+}
+
+TEST(BeforeShaking, ABuildingThatOnlyCreepsIsUndecided) {
+  Preparation p = prepared_drum();
+  const RunResult r = after_settle(p, engine::Outcome::completed);
+  EXPECT_EQ(r.verdict.kind, VerdictKind::undecided);
+  EXPECT_THAT(r.verdict.headline, HasSubstr("not come to rest under its own weight"));
+}
+
+TEST(BeforeShaking, ABuildingThatFellInTheSettleCollapsed) {
+  Preparation p = prepared_drum();
+  p.state.y[1] -= 0.9;  // the drum is nearly a height lower
+  const RunResult r = after_settle(p, engine::Outcome::completed);
+  EXPECT_EQ(r.verdict.kind, VerdictKind::collapsed);
+  EXPECT_THAT(r.verdict.headline, HasSubstr("does not stand under its own weight"));
+}
+
+TEST(BeforeShaking, ASofterBuildingThanItsWeightIsNotShaken) {
+  Preparation p = prepared({"young_modulus=100 kPa", "duration=1 s"});
+  const RunResult r = execute(p, "");
+  EXPECT_EQ(r.verdict.kind, VerdictKind::numerically_invalid);
+  EXPECT_EQ(r.numerics.end_time, 0.0);
+}
+
+// --- moments ----------------------------------------------------------------------------------------------
+
+RunResult with_times(double end) {
+  RunResult r;
+  r.trajectory.times = {0.0, end};
+  r.motion.times = {0.0, 3.0, 8.0};
+  r.motion.acceleration_x = {0.0, -4.0, 2.0};
+  structures::StoreyResponse storey;
+  storey.name = "S1";
+  storey.peak_drift.negative = {-0.02, 5.0};
+  r.response.storeys = {storey};
+  return r;
+}
+
+std::vector<std::string> captions(const RunResult& r) {
+  std::vector<std::string> words;
+  for (const Moment& moment : moments_of(r)) words.push_back(moment.caption);
+  return words;
+}
+
+TEST(Moments, ComeInOrderOfTime) {
+  RunResult r = with_times(10.0);
+  r.response.storeys[0].lost_at = 6.0;
+  r.response.first_loss_of_support = 5.5;
+  EXPECT_THAT(captions(r), ::testing::ElementsAre("strongest shaking", "peak drift, S1",
+                                                  "first loss of support", "S1 lost", "end"));
+}
+
+TEST(Moments, ThatLookTheSameAreShownOnce) {
+  RunResult r = with_times(10.0);
+  r.response.storeys[0].peak_drift.negative.time = 3.01;
+  EXPECT_THAT(captions(r), ::testing::ElementsAre("strongest shaking", "end"));
+}
+
+TEST(Moments, EndWithTheRun) {
+  EXPECT_THAT(captions(with_times(4.0)), ::testing::ElementsAre("strongest shaking", "end"));
+}
+
+TEST(Moments, ARunWithoutMotionHasOnlyAnEnd) {
+  RunResult r = with_times(10.0);
+  r.motion.acceleration_x = {0.0, 0.0, 0.0};
+  r.response.storeys[0].peak_drift.negative = {};
+  EXPECT_THAT(captions(r), ::testing::ElementsAre("end"));
+}
+
+}  // namespace
+}  // namespace dougong::app::testing

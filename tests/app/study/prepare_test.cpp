@@ -1,0 +1,110 @@
+#include "app/study/prepare.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "tests/app/study/study_cases.h"
+
+namespace dougong::app::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::string refusal(const std::vector<std::string>& words) {
+  try {
+    prepared(words);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(Prepare, GivesABuildingAtRestWithItsPeriodStepAndCost) {
+  const Preparation p = prepared({"duration=1 s"});
+  EXPECT_TRUE(p.settle.settled);
+  EXPECT_LT(p.settle.unbalanced_ratio, 1e-3);
+  EXPECT_EQ(p.contact_points, 32u) << "two corners at both ends of eight columns";
+  EXPECT_GT(p.period, 0.05);
+  EXPECT_GT(p.participation, 0.5);
+  EXPECT_NEAR(p.plan.step, 0.5 * p.plan.bound, 0.02 * p.plan.bound);
+  EXPECT_TRUE(std::isfinite(p.estimated_seconds));
+  EXPECT_GT(p.estimated_seconds, 0.0);
+}
+
+TEST(Prepare, RunsForTheMotionAndItsFreeVibration) {
+  const Preparation p = prepared({"layout=column", "drums=1", "free_vibration=3 s"});
+  EXPECT_DOUBLE_EQ(p.duration, p.motion.ground->duration() + 3.0);
+}
+
+TEST(Prepare, TheEstimateDoesNotDependOnARareOutput) {
+  const Preparation p = prepared_drum({"rate=0.01 Hz", "duration=90 s"});
+  EXPECT_GT(p.estimated_seconds, 0.0);
+  EXPECT_EQ(p.state.time, 0.0) << "the trial runs on a copy";
+}
+
+TEST(Prepare, SettlingCanBeLeftOut) {
+  const Preparation p = prepared_drum({"settle=false"});
+  EXPECT_FALSE(p.settle.settled);
+  EXPECT_EQ(p.settle.duration, 0.0);
+}
+
+TEST(Prepare, RefusesAStepAboveTheBound) {
+  EXPECT_THAT(refusal({"layout=column", "drums=1", "step=0.5 s"}),
+              ::testing::AllOf(HasSubstr("solve.step: expected at most"), HasSubstr("found 0.5 s")));
+}
+
+TEST(Prepare, RefusesMoreOutputThanTheMachineCanHold) {
+  EXPECT_THAT(refusal({"layout=column", "drums=200", "rate=1e6 Hz", "duration=1e5 s"}),
+              HasSubstr("output.rate"));
+}
+
+TEST(Prepare, RefusesAVerticalMotionThatTheRecordDoesNotHave) {
+  Scenario scenario = scenario_with({"layout=column", "drums=1", "vertical=true"});
+  const MotionInput with = make_motion(scenario, DOUGONG_RECORDS_DIRECTORY);
+  EXPECT_NE(with.ground->vertical(), nullptr) << "the shipped record has one";
+  scenario.record.component = "77";
+  EXPECT_THROW(make_motion(scenario, DOUGONG_RECORDS_DIRECTORY), seismic::InputError);
+}
+
+// --- the sheet of the motion -------------------------------------------------------------------------
+
+TEST(MotionSheet, HoldsTheMotionAsApplied) {
+  const MotionInput motion = make_motion(scenario_with({"pga=0.4 g"}), DOUGONG_RECORDS_DIRECTORY);
+  const MotionSheet sheet = motion_sheet(motion, 0.5);
+  ASSERT_EQ(sheet.times.size(), sheet.acceleration_x.size());
+  ASSERT_EQ(sheet.times.size(), sheet.displacement_x.size());
+  double peak = 0.0;
+  for (const double a : sheet.acceleration_x) peak = std::max(peak, std::abs(a));
+  EXPECT_NEAR(peak, 0.4 * seismic::standard_gravity, 1e-6);
+  EXPECT_TRUE(sheet.acceleration_y.empty());
+  EXPECT_NEAR(sheet.times[1] - sheet.times[0], sheet.interval, 1e-12);
+}
+
+TEST(MotionSheet, SaysWhereTheMotionComesFromAndWhatWasDoneToIt) {
+  const MotionSheet sheet =
+      motion_sheet(make_motion(scenario_with({"pga=0.4 g"}), DOUGONG_RECORDS_DIRECTORY), 0.0);
+  std::map<std::string, std::string> provenance;
+  for (const NamedValue& value : sheet.provenance) provenance[value.name] = value.value;
+  EXPECT_EQ(provenance.at("SHA-256 of the file").size(), 64u);
+  EXPECT_THAT(provenance.at("kind"), HasSubstr("synthetic"));
+  EXPECT_FALSE(sheet.processing.empty());
+  EXPECT_EQ(sheet.spectrum_at_period, 0.0) << "no period, no value at it";
+}
+
+TEST(MotionSheet, MarksTheSpectrumAtThePeriodOfTheBuilding) {
+  const MotionInput motion = make_motion(scenario_with({}), DOUGONG_RECORDS_DIRECTORY);
+  const MotionSheet probe = motion_sheet(motion, 0.0);
+  const std::size_t middle = probe.spectrum_periods.size() / 2;
+  EXPECT_NEAR(motion_sheet(motion, probe.spectrum_periods[middle]).spectrum_at_period,
+              probe.spectrum_psa[middle], 1e-9 * probe.spectrum_psa[middle]);
+}
+
+TEST(MotionSheet, HoldsTheVerticalMotionWhenItIsAskedFor) {
+  const MotionInput motion = make_motion(scenario_with({"vertical=true"}), DOUGONG_RECORDS_DIRECTORY);
+  const MotionSheet sheet = motion_sheet(motion, 0.0);
+  EXPECT_EQ(sheet.acceleration_y.size(), sheet.acceleration_x.size());
+}
+
+}  // namespace
+}  // namespace dougong::app::testing
