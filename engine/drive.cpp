@@ -91,11 +91,14 @@ class Runner {
   }
 
  private:
-  double largest_step() const { return options_.step ? *options_.step : options_.step_fraction * bound_; }
+  double largest_step() const {
+    return std::min(options_.step ? *options_.step : options_.step_fraction * bound_, travel_);
+  }
 
   void refresh_bound() {
-    bound_ = bound_of(integrator_,
-                      spectral_bound(model_, state_, frames_of(model_, state_, options_.terrain_held_still)));
+    const auto frames = frames_of(model_, state_, options_.terrain_held_still);
+    bound_ = bound_of(integrator_, spectral_bound(model_, state_, frames));
+    travel_ = state_.contacts.longest_step(model_, frames);
   }
 
   // A base interval in `divisions_` equal steps; the number may double on the way.
@@ -123,7 +126,10 @@ class Runner {
   }
 
   // A bound that wanders a little must not change the step: a tenth of it is spare below the bound.
-  double tolerated_step() const { return options_.step ? bound_ : std::min(1.1 * largest_step(), bound_); }
+  double tolerated_step() const {
+    const double stable = options_.step ? bound_ : std::min(1.1 * options_.step_fraction * bound_, bound_);
+    return std::min(stable, travel_);
+  }
 
   void change_divisions(std::size_t divisions) {
     if (divisions > divisions_) ++outcome_.step_reductions;
@@ -210,6 +216,7 @@ class Runner {
   RunOutcome outcome_;
   EnergyTurnover turnover_;
   double bound_ = no_bound;
+  double travel_ = no_bound;  // s, ContactSet::longest_step
   std::size_t interval_ = 0, divisions_ = 1, countdown_ = 0;
 };
 

@@ -3,7 +3,8 @@
 // The step divides the base interval (the motion's knot interval, or a part of it), so that no step
 // straddles a sample of the record: h = base / k. k follows from the stability bound of the contacts as
 // they are; it is checked again whenever contacts change and every base interval, and grows by halving
-// when a stiffer contact appears: counted, never silent. Time is an integer number of intervals.
+// when a stiffer contact appears: counted, never silent. Fast
+// bodies shorten it too, so that a contact is found before it closes. Time is an integer number of intervals.
 #pragma once
 
 #include <functional>

@@ -6,8 +6,12 @@
 namespace dougong::engine {
 namespace {
 
-// A motion that turns over less than this part of what the weight stores in the contacts is rest.
+// A scene that turns over less than this part of the energy it started with is at rest, or drifts freely.
 constexpr double energy_at_rest = 1e-6;
+
+double given(double at_start, double now) {
+  return std::max(0.0, at_start - now);
+}
 
 }  // namespace
 
@@ -33,12 +37,13 @@ void EnergyTurnover::note(const Energies& energies) {
   started_ = true;
   error_ = energies.balance() - first_.balance();
   largest_error_ = std::max(largest_error_, std::abs(error_));
-  turnover_ =
-      std::max(turnover_, std::abs(energies.input) + std::max(0.0, first_.gravity - energies.gravity));
+  turnover_ = std::max(turnover_, std::abs(energies.input) + given(first_.gravity, energies.gravity) +
+                                      given(first_.elastic, energies.elastic) +
+                                      given(first_.kinetic, energies.kinetic));
 }
 
 double EnergyTurnover::relative_error() const {
-  const double scale = std::max({turnover_, energy_at_rest * first_.elastic, first_.kinetic});
+  const double scale = std::max(turnover_, energy_at_rest * (first_.elastic + first_.kinetic));
   return scale > 0.0 ? largest_error_ / scale : 0.0;
 }
 

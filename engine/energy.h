@@ -18,15 +18,16 @@ struct Energies {
 
 Energies energies_of(const Model& model, const State& state);
 
-/// What the errors of a run are measured by: the greatest sum so far of |input| and of what gravity gave
-/// since the start. A collapse is driven by gravity, whose energy is a hundred times that of the shaking.
+/// What the errors of a run are measured by: the greatest sum so far of |input| and of what gravity, the
+/// contacts and the motion of the start gave. A collapse is driven by gravity, whose energy is a hundred
+/// times that of the shaking.
 class EnergyTurnover {
  public:
   void note(const Energies& energies);
   double turnover() const { return turnover_; }            // J
   double largest_error() const { return largest_error_; }  // J
-  /// Greatest |error| over the turnover; a scene at rest, whose error is rounding, by 1e-6 of the
-  /// elastic energy it started with. 0 when there is no energy at all.
+  /// Greatest |error| over the turnover; a scene that turns nothing over, whose error is rounding, is
+  /// measured by a millionth of the elastic and kinetic energy it started with. 0 when there is none.
   double relative_error() const;
   /// Error of the energies noted last (J).
   double error() const { return error_; }

@@ -37,7 +37,7 @@ Sentences numerical_faults(const NumericalEvidence& numerics, const VerdictCrite
     faults.push_back(fmt::format("the run diverged at {:.2f} s{}", numerics.end_time, detail_of(numerics)));
   // Written so that a ratio that is not a number is a fault too.
   if (!(numerics.energy_error_ratio <= criteria.energy_error))
-    faults.push_back(fmt::format("the energy error is {} of the input, beyond {}",
+    faults.push_back(fmt::format("the energy error is {} of the energy turned over, beyond {}",
                                  percent(numerics.energy_error_ratio), percent(criteria.energy_error)));
   if (!(numerics.deepest_overlap_ratio <= criteria.overlap))
     faults.push_back(fmt::format(
@@ -152,7 +152,7 @@ Sentences numerical_evidence(const NumericalEvidence& numerics, const VerdictCri
   Sentences lines;
   lines.push_back(fmt::format("The run {} at {:.2f} s of {:.2f} s{}.", outcome_text(numerics.outcome),
                               numerics.end_time, numerics.asked_time, detail_of(numerics)));
-  lines.push_back(fmt::format("Energy error {} of the input (bound {}).",
+  lines.push_back(fmt::format("Energy error {} of the energy turned over (bound {}).",
                               percent(numerics.energy_error_ratio), percent(criteria.energy_error)));
   lines.push_back(
       fmt::format("Deepest overlap {} of the smaller block's width (bound {}){}.",

@@ -25,9 +25,9 @@ struct NumericalEvidence {
   enum class Outcome { completed, diverged, interrupted, stopped };
 
   Outcome outcome = Outcome::completed;
-  std::string outcome_detail;          // "speed of S1.slab beyond 1e6 m/s"; may be empty
-  bool finite = true;                  // every number of the run
-  double energy_error_ratio = 0.0;     // -, greatest energy error over the greatest input
+  std::string outcome_detail;       // "speed of S1.slab beyond 1e6 m/s"; may be empty
+  bool finite = true;               // every number of the run
+  double energy_error_ratio = 0.0;  // -, greatest energy error over the energy turned over (engine/energy.h)
   double deepest_overlap_ratio = 0.0;  // -, over the smaller block's least width
   std::string deepest_overlap_where;   // "S1.column.left / ground at 3.21 s"
   double end_time = 0.0;               // s, reached
@@ -36,7 +36,7 @@ struct NumericalEvidence {
 };
 
 struct VerdictCriteria {
-  /// 5 % of the input energy is about 2.5 % of a velocity or a drift.
+  /// 5 % of the energy turned over is about 2.5 % of a velocity or a drift.
   double energy_error = 0.05;
   /// A tenth of a block: beyond it the geometry is no longer the building's. Far above any strain
   /// that the linear contact stands for, and above the dent of an honest impact.

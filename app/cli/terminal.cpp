@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <string_view>
 
@@ -47,9 +48,16 @@ double fraction_of(const Progress& p) {
   return p.end_time > 0.0 ? p.time / p.end_time : 1.0;
 }
 
+// Beyond this a level is falling, not drifting; the report freezes its drift where it was lost.
+constexpr double falling = 0.5;
+
+std::string drift_so_far(double ratio) {
+  return std::abs(ratio) > falling ? "beyond 50 %" : fmt::format("{:+.3f} %", 100.0 * ratio);
+}
+
 std::string describe(const Progress& p) {
-  return fmt::format("{:6.2f} / {:.2f} s   peak drift {:+.3f} %   energy error {:.2g} %", p.time, p.end_time,
-                     100.0 * p.peak_drift, 100.0 * p.energy_error);
+  return fmt::format("{:6.2f} / {:.2f} s   peak drift {}   energy error {:.2g} %", p.time, p.end_time,
+                     drift_so_far(p.peak_drift), 100.0 * p.energy_error);
 }
 
 }  // namespace

@@ -32,13 +32,16 @@ DrawnShape drawn(const Thing& thing, const engine::Scene& scene) {
 }
 
 double mass_of(const engine::Body& body, const engine::Scene& scene) {
-  return body.mass ? *body.mass
-                   : engine::mass_properties(body.shape, scene.materials[body.material].density, body.thickness).mass;
+  return body.mass
+             ? *body.mass
+             : engine::mass_properties(body.shape, scene.materials[body.material].density, body.thickness)
+                   .mass;
 }
 
 NamedValue describe_material(const engine::Material& m) {
   return {m.name,
-          fmt::format("E {}, {}, friction {}, damping ratio {}", print_quantity(m.young_modulus, Dimension::pressure),
+          fmt::format("E {}, {}, friction {}, damping ratio {}",
+                      print_quantity(m.young_modulus, Dimension::pressure),
                       print_quantity(m.density, Dimension::density), m.friction_coefficient, m.damping_ratio),
           "damping ratio of a contact point; friction of two materials is the smaller one"};
 }
@@ -64,18 +67,21 @@ std::vector<std::string> modelled_terms(const Preparation& p) {
   std::vector<std::string> terms{
       fmt::format("{} rigid blocks with three degrees of freedom each, large displacements and rotations",
                   p.model.body_count),
-      "contact of every block with every other and the ground: springs from the Young's moduli and block heights in "
+      "contact of every block with every other and the ground: springs from the Young's moduli and block "
+      "heights in "
       "series, dashpots from the damping ratio, never tensile",
       "Coulomb friction with an elastic spring: a block that sticks does not creep",
       "uniform gravity of 9.80665 m/s2",
-      p.motion.ground->vertical() ? "ground motion, horizontal and vertical, as absolute displacement of the ground"
-                                  : "ground motion, horizontal, as absolute displacement of the ground"};
+      p.motion.ground->vertical()
+          ? "ground motion, horizontal and vertical, as absolute displacement of the ground"
+          : "ground motion, horizontal, as absolute displacement of the ground"};
   return terms;
 }
 
 std::vector<std::string> missing_terms(const Preparation& p) {
   std::vector<std::string> terms{
-      "deformation, cracking and crushing within a block: blocks are rigid, their elasticity acts at the contacts",
+      "deformation, cracking and crushing within a block: blocks are rigid, their elasticity acts at the "
+      "contacts",
       "out-of-plane motion and torsion: the model is plane",
       "mortar, ties, reinforcement and other bonds: the assembly is dry",
       "soil flexibility and soil-structure interaction: the ground is rigid and moves as prescribed"};

@@ -16,7 +16,8 @@ seismic::ReadOptions read_options(const RecordChoice& choice) {
   if (choice.count_scale.empty()) return options;
   options.count_scale = seismic::parse_count_scale(choice.count_scale);
   if (!options.count_scale)
-    throw seismic::InputError("record.count_scale", 0, "gal per count as \"3920/6182761\"", choice.count_scale);
+    throw seismic::InputError("record.count_scale", 0, "gal per count as \"3920/6182761\"",
+                              choice.count_scale);
   return options;
 }
 
@@ -24,7 +25,8 @@ seismic::CatalogueEntry entry_named(const std::string& name, const std::filesyst
   const auto catalogue = seismic::read_catalogue(directory);
   if (auto entry = seismic::find_entry(catalogue, name)) return *entry;
   std::string known;
-  for (const auto& entry : catalogue) known += (known.empty() ? "" : ", ") + entry.id + " (" + entry.alias + ")";
+  for (const auto& entry : catalogue)
+    known += (known.empty() ? "" : ", ") + entry.id + " (" + entry.alias + ")";
   throw seismic::InputError("record", 0, "a file, or a shipped record: " + known, "\"" + name + "\"");
 }
 
@@ -69,7 +71,8 @@ std::vector<NamedValue> provenance_of(const seismic::Record& record) {
                                  {"units as found", p.units, ""},
                                  {"file", p.file, ""},
                                  {"SHA-256 of the file", p.sha256, ""}};
-  values.push_back({"samples", fmt::format("{} every {} s", record.acceleration.size(), record.interval), ""});
+  values.push_back(
+      {"samples", fmt::format("{} every {} s", record.acceleration.size(), record.interval), ""});
   if (p.synthetic) values.push_back({"kind", "synthetic: made by a program, not recorded", ""});
   return values;
 }
@@ -110,12 +113,14 @@ MotionSheet motion_sheet(const MotionInput& motion, double period) {
   sheet.times = motion.ground->times();
   sheet.acceleration_x = x.acceleration, sheet.velocity_x = x.velocity, sheet.displacement_x = x.displacement;
   if (const seismic::GroundHistory* y = motion.ground->vertical())
-    sheet.acceleration_y = y->acceleration, sheet.velocity_y = y->velocity, sheet.displacement_y = y->displacement;
+    sheet.acceleration_y = y->acceleration, sheet.velocity_y = y->velocity,
+    sheet.displacement_y = y->displacement;
   sheet.spectrum_periods = seismic::log_spaced_periods();
   for (const auto& p : seismic::response_spectrum(x.acceleration, x.interval, sheet.spectrum_periods))
     sheet.spectrum_psa.push_back(p.pseudo_acceleration);
   if (period > 0.0)
-    sheet.spectrum_at_period = seismic::spectral_point(x.acceleration, x.interval, period).pseudo_acceleration;
+    sheet.spectrum_at_period =
+        seismic::spectral_point(x.acceleration, x.interval, period).pseudo_acceleration;
   return sheet;
 }
 

@@ -47,8 +47,8 @@ void Recorder::note_energy(const engine::State& state) {
   const engine::Energies e = engine::energies_of(preparation_.model, state);
   turnover_.note(e);
   const std::pair<std::vector<double>*, double> columns[] = {
-      {&energy.input, e.input},     {&energy.kinetic, e.kinetic},   {&energy.gravity, e.gravity},
-      {&energy.elastic, e.elastic}, {&energy.friction, e.friction}, {&energy.damping, e.damping},
+      {&energy.input, e.input},          {&energy.kinetic, e.kinetic},   {&energy.gravity, e.gravity},
+      {&energy.elastic, e.elastic},      {&energy.friction, e.friction}, {&energy.damping, e.damping},
       {&energy.error, turnover_.error()}};
   for (const auto& [column, value] : columns) column->push_back(value);
   energy.largest_input = std::max(energy.largest_input, std::abs(e.input));

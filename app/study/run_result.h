@@ -40,41 +40,41 @@ struct StoreySheet {
 
 struct ModelSheet {
   std::string layout;
-  std::string title;                   // one line: what the building is
+  std::string title;  // one line: what the building is
   std::vector<NamedValue> parameters;
-  std::vector<NamedValue> materials;   // name, "E 30 GPa, 2400 kg/m3, friction 0.6, damping ratio 1"
+  std::vector<NamedValue> materials;  // name, "E 30 GPa, 2400 kg/m3, friction 0.6, damping ratio 1"
   std::vector<DrawnShape> blocks;
   std::vector<DrawnShape> terrains;
   std::vector<StoreySheet> storeys;
-  double mass = 0.0;                   // kg
+  double mass = 0.0;  // kg
   std::size_t bonds = 0;
-  std::size_t contact_points = 0;      // touching after the settle
-  double period = 0.0;                 // s, small-amplitude; 0 when not found
-  double period_participation = 0.0;   // fraction of the mass that moves with that mode
+  std::size_t contact_points = 0;     // touching after the settle
+  double period = 0.0;                // s, small-amplitude; 0 when not found
+  double period_participation = 0.0;  // fraction of the mass that moves with that mode
   std::vector<std::string> modelled;
   std::vector<std::string> not_modelled;
-  std::vector<std::string> findings;   // of the model check
+  std::vector<std::string> findings;  // of the model check
 };
 
 struct MotionSheet {
-  std::string title;                     // "synthetic Wenchuan-style / SYN1 / EW"
-  std::vector<NamedValue> provenance;    // event, station, component, file, sha256, units as found ...
-  std::vector<std::string> processing;   // in order, each with its numbers
-  std::vector<NamedValue> measures;      // PGA, PGV, PGD, Arias, CAV, D5-95 ...
-  double interval = 0.0;                 // s
-  std::vector<double> times;             // s, as applied to the terrain
+  std::string title;                    // "synthetic Wenchuan-style / SYN1 / EW"
+  std::vector<NamedValue> provenance;   // event, station, component, file, sha256, units as found ...
+  std::vector<std::string> processing;  // in order, each with its numbers
+  std::vector<NamedValue> measures;     // PGA, PGV, PGD, Arias, CAV, D5-95 ...
+  double interval = 0.0;                // s
+  std::vector<double> times;            // s, as applied to the terrain
   std::vector<double> acceleration_x, velocity_x, displacement_x;  // m/s2, m/s, m
   std::vector<double> acceleration_y, velocity_y, displacement_y;  // empty without a vertical motion
-  std::vector<double> spectrum_periods;  // s
-  std::vector<double> spectrum_psa;      // m/s2, 5 % damping, horizontal
-  double spectrum_at_period = 0.0;       // m/s2, PSa at the building's period; 0 without one
+  std::vector<double> spectrum_periods;                            // s
+  std::vector<double> spectrum_psa;                                // m/s2, 5 % damping, horizontal
+  double spectrum_at_period = 0.0;  // m/s2, PSa at the building's period; 0 without one
 };
 
 /// Cumulated energies (J), one entry an output time. error = kinetic + gravity + elastic + friction
 /// + damping - input - (their sum at the start).
 struct EnergyHistory {
   std::vector<double> input, kinetic, gravity, elastic, friction, damping, error;
-  double largest_input = 0.0;    // J, greatest |input|
+  double largest_input = 0.0;  // J, greatest |input|
   /// Greatest |error| over the energy turned over: the greatest sum of |input| and of what gravity gave. A
   /// collapse is driven by gravity, whose energy is a hundred times that of the shaking.
   double relative_error = 0.0;
@@ -82,22 +82,22 @@ struct EnergyHistory {
 
 struct SettleSheet {
   bool settled = false;
-  double duration = 0.0;            // s, simulated
-  double greatest_movement = 0.0;   // m, of any block
-  double unbalanced_ratio = 0.0;    // largest net force over the body's weight
+  double duration = 0.0;           // s, simulated
+  double greatest_movement = 0.0;  // m, of any block
+  double unbalanced_ratio = 0.0;   // largest net force over the body's weight
 };
 
 struct Numerics {
   std::string integrator;
-  double step = 0.0;               // s, smallest used
-  double bound = 0.0;              // s, stability bound of that integrator for this scene
+  double step = 0.0;   // s, smallest used
+  double bound = 0.0;  // s, stability bound of that integrator for this scene
   std::size_t steps = 0;
   std::size_t step_reductions = 0;
-  std::string outcome;             // "completed", "diverged", "stopped by criterion", "interrupted"
+  std::string outcome;  // "completed", "diverged", "stopped by criterion", "interrupted"
   std::string outcome_detail;
-  double end_time = 0.0;           // s, reached
-  double asked_time = 0.0;         // s, asked for
-  double deepest_overlap = 0.0;    // m
+  double end_time = 0.0;               // s, reached
+  double asked_time = 0.0;             // s, asked for
+  double deepest_overlap = 0.0;        // m
   double deepest_overlap_ratio = 0.0;  // over the smaller block's minimum width
   std::string deepest_overlap_where;   // "S1.column.left / ground at 3.21 s"
   std::vector<double> overlap_ratio;   // one entry an output time
@@ -106,15 +106,15 @@ struct Numerics {
 
 struct Reproducibility {
   std::string version, git_hash, compiler, command, scenario, scenario_sha256, record_sha256, state_hash;
-  std::string started;         // ISO 8601, UTC
+  std::string started;  // ISO 8601, UTC
   double wall_seconds = 0.0;
   double cpu_seconds = 0.0;
 };
 
 /// A moment worth a picture.
 struct Moment {
-  double time = 0.0;     // s
-  std::string caption;   // "strongest shaking", "first loss of support" ...
+  double time = 0.0;    // s
+  std::string caption;  // "strongest shaking", "first loss of support" ...
 };
 
 struct RunResult {
@@ -125,7 +125,7 @@ struct RunResult {
   SettleSheet settle;
   structures::Trajectory trajectory;
   structures::Response response;
-  EnergyHistory energy;   // at trajectory.times
+  EnergyHistory energy;  // at trajectory.times
   Numerics numerics;
   Reproducibility reproducibility;
   std::vector<Moment> moments;

@@ -254,7 +254,8 @@ Scenario load_scenario(const std::filesystem::path& path, const std::vector<Over
   if (std::filesystem::is_directory(path, error))
     throw ScenarioError({{path.string(), "expected a scenario file, found a folder"}});
   std::ifstream file(path, std::ios::binary);
-  if (!file) throw ScenarioError({{path.string(), "expected a scenario file, found nothing that can be read"}});
+  if (!file)
+    throw ScenarioError({{path.string(), "expected a scenario file, found nothing that can be read"}});
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   std::vector<Entry> entries = entries_of_toml(text, path.string());
   find_record_beside(path, entries);

@@ -86,7 +86,8 @@ std::vector<ScenarioKey> make_table() {
              "length of the cosine taper at each end, as a part of the duration"),
       number("conditioning.pad", slot<&S::conditioning, &C::pad>, time, 0, 1e4,
              "zeros added at each end; none: what the filter needs"),
-      flag("conditioning.filter", slot<&S::conditioning, &C::filter>, "Butterworth band-pass without phase shift"),
+      flag("conditioning.filter", slot<&S::conditioning, &C::filter>,
+           "Butterworth band-pass without phase shift"),
       number("conditioning.high_pass", slot<&S::conditioning, &C::high_pass>, frequency, tiny, 1e3,
              "lower corner of the filter; none: no lower corner"),
       number("conditioning.low_pass", slot<&S::conditioning, &C::low_pass>, frequency, tiny, 1e3,
@@ -125,7 +126,7 @@ std::vector<ScenarioKey> make_table() {
              "a storey is lost with more than this part of its level's mass"),
 
       number("verdict.energy_error", slot<&S::verdict, &J::energy_error>, ratio, 0, endless,
-             "numerically invalid above this energy error, over the energy input"),
+             "numerically invalid above this energy error, over the energy turned over"),
       number("verdict.overlap", slot<&S::verdict, &J::overlap>, ratio, 0, endless,
              "numerically invalid above this overlap, over the smaller block's least width"),
       number("verdict.fallen_mass", slot<&S::verdict, &J::fallen_mass>, ratio, 0, 1,

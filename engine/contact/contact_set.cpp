@@ -16,6 +16,9 @@ constexpr double refresh_ratio = 0.3;
 // Skin of the broad phase over the median minimum width.
 constexpr double skin_ratio = 0.25;
 constexpr std::size_t longest_wait = 16;  // steps
+// How far a rim may go in one step: two bodies then close by less than half the margin, or half the skin.
+constexpr double margin_travel = 0.2;
+constexpr double skin_travel = 0.1;
 
 double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -55,11 +58,33 @@ Vec2 common_velocity(const Model& model, std::span<const Frame> frames) {
   return {};
 }
 
+// Greatest speed of any point of a body, relative to what moves all of them (m/s).
+double fastest_rim(const Model& model, std::span<const Frame> frames) {
+  const Vec2 common = common_velocity(model, frames);
+  double fastest = 0.0;
+  for (std::size_t i = 0; i < model.size(); ++i) {
+    const Vec2 v = frames[i].velocity() - common;
+    fastest = std::max(fastest,
+                       std::abs(v.x) + std::abs(v.y) + model.bounding_radius[i] * std::abs(frames[i].spin));
+  }
+  return fastest;
+}
+
 bool same_features(const Manifold& a, const Manifold& b) {
   if (a.count != b.count) return false;
   for (Index i = 0; i < a.count; ++i)
     if (a.features[i].identity != b.features[i].identity) return false;
   return true;
+}
+
+// The second slot of a pair that touches in one point: so far apart that it never does.
+Feature empty_slot(Index a, Index b) {
+  Feature f;
+  f.corner_body = a;
+  f.edge_body = b;
+  f.edge_normal = {0.0, 1.0};
+  f.radius = -1e100;
+  return f;
 }
 
 // A history whose spring holds the slip that another feature hands over.
@@ -123,8 +148,8 @@ void ContactSet::write_points(const Model& model, std::span<const Frame> frames,
   const double width = std::min(model.minimum_width[a], model.minimum_width[b]);
   for (Index k = 0; k < 2; ++k) {
     const std::size_t i = pair.first_point + k;
-    if (k >= pair.manifold.count) {  // an empty slot: no stiffness, no force
-      points.set(i, {FeatureKind::corner_edge, a, b, {}, {}, {0.0, 1.0}, 0.0, 0.0, 0}, {}, width);
+    if (k >= pair.manifold.count) {
+      points.set(i, empty_slot(a, b), {}, width);
       points.history[i] = {};
       continue;
     }
@@ -233,17 +258,16 @@ bool ContactSet::update(const Model& model, std::span<const Frame> frames) {
   return changed || activity_changed;
 }
 
+double ContactSet::longest_step(const Model& model, std::span<const Frame> frames) const {
+  const double fastest = fastest_rim(model, frames);
+  if (model.size() < 2 || fastest == 0.0) return std::numeric_limits<double>::infinity();
+  return (pairs_.empty() ? skin_travel * skin_ : margin_travel * smallest_margin_) / fastest;
+}
+
 std::size_t ContactSet::steps_until_update(const Model& model, std::span<const Frame> frames,
                                            double h) const {
-  const Vec2 common = common_velocity(model, frames);
-  double fastest = 0.0;
-  for (std::size_t i = 0; i < model.size(); ++i) {
-    const Vec2 v = frames[i].velocity() - common;
-    fastest = std::max(fastest,
-                       std::abs(v.x) + std::abs(v.y) + model.bounding_radius[i] * std::abs(frames[i].spin));
-  }
   const double allowed = 0.5 * refresh_ratio * smallest_margin_;
-  const double per_step = 2.0 * fastest * h;
+  const double per_step = 2.0 * fastest_rim(model, frames) * h;
   if (per_step * static_cast<double>(longest_wait) <= allowed) return longest_wait;
   return std::max<std::size_t>(1, static_cast<std::size_t>(allowed / per_step));
 }

@@ -34,12 +34,15 @@ class ContactSet {
   /// speeds (at least 1).
   std::size_t steps_until_update(const Model& model, std::span<const Frame> frames, double h) const;
 
+  /// Longest step in which no body can pass from beyond the margin of another to touching it, at the present
+  /// speeds (s): contacts are found before they close. Infinite at rest and for a body alone.
+  double longest_step(const Model& model, std::span<const Frame> frames) const;
+
   /// Sums the loads of the points over every body and terrain, in a fixed order.
   void gather(std::span<const PointLoad> loads, std::span<Vec2> forces, std::span<double> torques) const;
 
   ContactPoints points;
   const std::vector<ContactPair>& pairs() const { return pairs_; }
-  double smallest_margin() const { return smallest_margin_; }
 
  private:
   void rebuild_pairs(const Model& model, std::span<const Frame> frames);

@@ -161,6 +161,41 @@ TEST(Drive, CountsTheReductionsOfItsStep) {
   EXPECT_EQ(steady.run(run_for(0.2)).step_reductions, 0u);
 }
 
+TEST(Drive, FindsAFastBodysContactBeforeItCloses) {
+  for (const std::string integrator : {"velocity-verlet", "symplectic-euler", "rk4"}) {
+    engine::Scene scene = scenes::scene(0.6);
+    scene.terrains.push_back(scenes::ground());
+    scene.bodies.push_back(scenes::block(0.5, 0.5, {0.0, 1.5}));
+    scene.bodies[0].velocity = {0.0, -10.0};
+    Running falling(scene);
+    double highest_speed = 0.0;
+    const RunOutcome run = falling.run(run_for(0.5, 0.01, integrator), [&](const Sample& sample) {
+      highest_speed = std::max(highest_speed, sample.state.v()[1]);
+      return Wish::go_on;
+    });
+    EXPECT_EQ(run.outcome, Outcome::completed) << integrator << ": " << run.detail;
+    EXPECT_LT(highest_speed, 3.0) << integrator;  // two corners of damping ratio 1: hardly any rebound
+    EXPECT_LT(falling.state.deepest_ratio, 0.01) << integrator;
+    EXPECT_GT(run.step_reductions, 0u) << integrator;
+  }
+}
+
+TEST(Drive, DoesNotTakeTheFreeSlotOfARoundContactForAnOverlap) {
+  for (const bool disc_first : {false, true}) {
+    engine::Scene scene = scenes::scene(0.6);
+    scene.terrains.push_back(scenes::ground());
+    Body disc;
+    disc.name = "disc";
+    disc.shape = make_circle(0.2);
+    disc.position = {0.0, 0.6};
+    scene.bodies.push_back(scenes::block(0.5, 0.2, {0.0, 0.2}));
+    scene.bodies.insert(disc_first ? scene.bodies.begin() : scene.bodies.end(), disc);
+    Running resting(scene);
+    EXPECT_EQ(resting.run(run_for(0.2)).outcome, Outcome::completed) << disc_first;
+    EXPECT_LT(resting.state.deepest_ratio, 1e-5) << disc_first;
+  }
+}
+
 TEST(Drive, RefusesOptionsThatMakeNoSense) {
   Running r(shaken_block(0.01));
   const auto refused = [&](auto change) {

@@ -30,6 +30,11 @@ struct Known {
   double pga;  // g; of peak 1 for shapes
 };
 
+// How ctest names the parameter.
+void PrintTo(const Known& known, std::ostream* out) {
+  *out << known.file;
+}
+
 class RealRecord : public ::testing::TestWithParam<Known> {};
 
 TEST_P(RealRecord, HasItsSamplesStepAndPeak) {
@@ -77,6 +82,10 @@ struct P11 {
   const char* file;
   double pga, pga_time, pgv, arias, cav, d5_95, psa_0_2, psa_1_0;
 };
+
+void PrintTo(const P11& row, std::ostream* out) {
+  *out << row.file;
+}
 
 class RealMeasures : public ::testing::TestWithParam<P11> {};
 

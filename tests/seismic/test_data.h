@@ -2,6 +2,7 @@
 #pragma once
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <cstdint>
@@ -31,7 +32,8 @@ inline std::filesystem::path real_record(const std::string& name) {
 /// A file of the given bytes in a folder of this test's own.
 inline std::filesystem::path write_file(const std::string& name, const std::string& bytes) {
   const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-  const auto folder = std::filesystem::path(::testing::TempDir()) / "dougong-seismic" /
+  const auto folder = std::filesystem::path(::testing::TempDir()) /
+                      ("dougong-seismic-" + std::to_string(::getpid())) /
                       (std::string(test->test_suite_name()) + "." + test->name());
   std::filesystem::create_directories(folder);
   std::ofstream(folder / name, std::ios::binary) << bytes;

@@ -16,7 +16,8 @@ std::vector<std::string> facts_of_document() {
   std::ifstream file(std::filesystem::path(__FILE__).parent_path() / "../../docs/layouts.md");
   std::vector<std::string> facts;
   for (std::string line; std::getline(file, line);)
-    if (line.starts_with("## `") || line.starts_with("| `") || line.starts_with("Storeys: ")) facts.push_back(line);
+    if (line.starts_with("## `") || line.starts_with("| `") || line.starts_with("Storeys: "))
+      facts.push_back(line);
   return facts;
 }
 
@@ -33,7 +34,9 @@ std::vector<std::string> facts_of_table() {
   return facts;
 }
 
-TEST(LayoutsDocument, SaysWhatTheTableSays) { EXPECT_EQ(facts_of_document(), facts_of_table()); }
+TEST(LayoutsDocument, SaysWhatTheTableSays) {
+  EXPECT_EQ(facts_of_document(), facts_of_table());
+}
 
 }  // namespace
 }  // namespace dougong::structures

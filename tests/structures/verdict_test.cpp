@@ -100,7 +100,7 @@ INSTANTIATE_TEST_SUITE_P(
                },
                invalid, "diverged at 3.00 s: speed of S1.slab"},
         Branch{"energy", [](Case& c) { c.numerics.energy_error_ratio = 0.12; }, invalid,
-               "energy error is 12 % of the input, beyond 5 %"},
+               "energy error is 12 % of the energy turned over, beyond 5 %"},
         Branch{"energy_is_nan", [](Case& c) { c.numerics.energy_error_ratio = nan; }, invalid,
                "energy error"},
         Branch{
@@ -193,7 +193,7 @@ TEST(Verdict, ProvesACollapseStoreyByStorey) {
 
 TEST(Verdict, GivesItsEvidenceWithUnits) {
   const Verdict verdict = Case().judged();
-  EXPECT_THAT(verdict.evidence, Contains("Energy error 0.2 % of the input (bound 5 %)."));
+  EXPECT_THAT(verdict.evidence, Contains("Energy error 0.2 % of the energy turned over (bound 5 %)."));
   EXPECT_THAT(verdict.evidence, Contains("Peak base shear 250 kN at 4.20 s, 0.25 of the weight."));
   EXPECT_THAT(verdict.evidence, Contains(HasSubstr("S1.column.left leans most, 0.573 deg of the 6.59 deg")));
 }
