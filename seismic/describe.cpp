@@ -52,6 +52,7 @@ RecordInfo describe(const Record& record, double gravity) {
   const Peak top = peak(a, h);
   info.pga = top.value;
   info.pga_time = top.time;
+  info.peak = a.empty() ? 0.0 : a[top.index];
   measure_drift(record, info);
   info.arias = arias_intensity(a, h, gravity);
   info.cav = cumulative_absolute_velocity(a, h);

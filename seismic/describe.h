@@ -22,6 +22,7 @@ struct RecordInfo {
   double interval = 0.0;                                              // s
   double duration = 0.0;                                              // s
   double pga = 0.0, pga_time = 0.0;                                   // m/s2, s
+  double peak = 0.0;                                                  // m/s2, the PGA with its sign
   double pgv = 0.0, pgd = 0.0;                                        // m/s, m
   double arias = 0.0;                                                 // m/s, trapezoid of a^2
   double cav = 0.0;                                                   // m/s

@@ -45,7 +45,7 @@ void print_info(const seismic::RecordInfo& i) {
   row("file", i.file);
   row("SHA-256", i.sha256);
   row("samples", fmt::format("{} every {} s, {:.6g} s", i.samples, i.interval, i.duration));
-  row("PGA", fmt::format("{} at {:.6g} s", acceleration_text(i, i.pga), i.pga_time));
+  row("PGA", fmt::format("{} at {:.6g} s", acceleration_text(i, i.peak), i.pga_time));
   row("PGV", fmt::format("{:.6g} {}", i.pgv, i.dimensionless ? "s x peak" : "m/s, mean removed"));
   if (!i.dimensionless) row("Arias", fmt::format("{:.6g} m/s", i.arias));
   if (!i.dimensionless) row("CAV", fmt::format("{:.6g} m/s", i.cav));
@@ -76,6 +76,8 @@ ordered_json json_of(const seismic::RecordInfo& i) {
           {"duration_s", i.duration},
           {"pga_m_s2", i.pga},
           {"pga_g", i.pga / seismic::standard_gravity},
+          {"peak_m_s2", i.peak},
+          {"peak_g", i.peak / seismic::standard_gravity},
           {"pga_time_s", i.pga_time},
           {"pgv_m_s", i.pgv},
           {"pgd_m", i.pgd},

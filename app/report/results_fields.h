@@ -110,6 +110,7 @@ void walk_storey(A& a, S& storey) {
   a.field("original_mass", "kg", storey.original_mass);
   a.field("mass_lost", "1", storey.mass_lost);
   a.field("lost_at", "s", storey.lost_at);
+  a.field("lost_because", "", storey.lost_because);
 }
 
 template <class A, class R>
@@ -129,6 +130,13 @@ void walk_response(A& a, R& response) {
   });
   a.field("first_loss_of_support", "s", response.first_loss_of_support);
   a.field("fallen_mass_fraction", "1", response.fallen_mass_fraction);
+  walk_envelope(a, "peak_base_shear_ratio", "1", response.peak_base_shear_ratio);
+  a.field("blocks", "", response.blocks);
+  a.group("greatest_lean", [&] {
+    a.field("block", "", response.greatest_lean.block);
+    a.field("angle", "rad", response.greatest_lean.angle);
+    a.field("limit", "rad", response.greatest_lean.limit);
+  });
 }
 
 template <class A, class R>

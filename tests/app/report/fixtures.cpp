@@ -296,6 +296,10 @@ RunResult collapsed() {
   run.response.losses = {{0, 11.3, "fell 1.30 m"}, {1, 11.34, "turned 41 deg"}, {2, 11.5, "fell 1.50 m"}};
   run.response.first_loss_of_support = 11.3;
   run.response.fallen_mass_fraction = 0.78;
+  run.response.blocks = run.model.blocks.size();
+  run.response.peak_base_shear_ratio = {{0.31, 9.2}, {-0.28, 9.7}};
+  run.response.greatest_lean = {"S4.column.left", -0.02, 0.115};
+  run.response.storeys[0].lost_because = "100 % of its level's mass was lost";
   run.moments = {{0.0, "before"},
                  {9.6, "first slip"},
                  {10.9, "strongest shaking"},

@@ -117,6 +117,18 @@ TEST(ResultsFile, EveryFieldComesBackBitForBit) {
   }
 }
 
+// The list of fields is what both sides walk: a field that it forgets would go unseen above.
+TEST(ResultsFile, KeepsWhatTheTerminalQuotes) {
+  const RunResult run = fixtures::collapsed();
+  const structures::Response back = round_trip(run).response;
+  EXPECT_EQ(back.blocks, run.model.blocks.size());
+  EXPECT_EQ(back.peak_base_shear_ratio.positive.value, 0.31);
+  EXPECT_EQ(back.peak_base_shear_ratio.negative.time, 9.7);
+  EXPECT_EQ(back.greatest_lean.block, "S4.column.left");
+  EXPECT_EQ(back.greatest_lean.limit, 0.115);
+  EXPECT_EQ(back.storeys[0].lost_because, run.response.storeys[0].lost_because);
+}
+
 TEST(ResultsFile, AnEmptyRunComesBack) {
   const RunResult back = round_trip({});
   EXPECT_EQ(bytes_of(back), bytes_of({}));
