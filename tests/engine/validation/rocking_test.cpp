@@ -8,46 +8,20 @@
 #include "tests/engine/reference.h"
 #include "tests/oracles/rocking.h"
 #include "tests/oracles/statics.h"
-#include "tests/scenes/running.h"
+#include "tests/scenes/rocking.h"
 
 namespace dougong::engine {
 namespace {
 
+using scenes::measured_impacts;
 using scenes::run_for;
 using scenes::Running;
+using scenes::tilted_block;
 using testing::expect_relative;
 
 std::string text(double value) {
   std::string s = std::to_string(value);
   return s.substr(0, s.find_last_not_of('0') + 1);
-}
-
-// Turned about its right corner, which touches the ground.
-Scene tilted_block(const oracles::RockingBlock& c, double amplitude, double young_modulus,
-                   double damping_ratio) {
-  Scene s = scenes::scene(2.0, young_modulus, damping_ratio);
-  s.gravity.y = -c.g;
-  s.bodies.push_back(scenes::block(c.b, c.h, rotated({-c.b, c.h}, -amplitude), -amplitude));
-  s.terrains.push_back(scenes::ground());
-  return s;
-}
-
-/// Times at which the angle passes zero, the greatest spin of the fall before and angle of the rise after.
-std::vector<oracles::Impact> measured_impacts(Running& r, const DriveOptions& options, std::size_t count) {
-  std::vector<oracles::Impact> all;
-  double last_angle = 0.0, last_time = 0.0, last_spin = 0.0, fastest = 0.0;
-  r.run(options, [&](const Sample& sample) {
-    const double angle = r.angle(), time = sample.state.time;
-    fastest = last_spin * r.spin() < 0.0 ? 0.0 : std::max(fastest, std::abs(r.spin()));
-    if (last_angle * angle < 0.0) {
-      if (all.size() == count) return Wish::stop;
-      all.push_back({last_time + (time - last_time) * last_angle / (last_angle - angle), fastest, 0.0});
-    }
-    if (!all.empty()) all.back().amplitude_after = std::max(all.back().amplitude_after, std::abs(angle));
-    last_angle = angle, last_time = time, last_spin = r.spin();
-    return Wish::go_on;
-  });
-  return all;
 }
 
 void check_rocking(const oracles::RockingBlock& c, std::size_t count) {
