@@ -28,7 +28,10 @@ Powers Dynamics::accelerate(double t, std::span<const double> q, std::span<const
     a[2 * n + i] = torques_[i] / model_.inertia[i];
   }
   if (local_damping_ > 0.0) damp_locally(v, a);
-  if (begins_step) note_deepest(t, totals);
+  if (begins_step) {
+    note_deepest(t, totals);
+    work_ = {{terrain_work(), totals.damping_work, totals.tangential_work}};
+  }
   return terrain_power(totals);
 }
 
@@ -45,6 +48,20 @@ Powers Dynamics::terrain_power(const ContactTotals& totals) const {
   for (std::size_t j = model_.body_count; j < model_.size(); ++j)
     input -= dot(forces_[j], frames_[j].velocity());
   return {{input, totals.damping_power, totals.tangential_power}};
+}
+
+double Dynamics::terrain_work() {
+  const bool first = terrain_past_.empty();
+  terrain_past_.resize(model_.terrain_count);
+  double work = 0.0;
+  for (std::size_t j = 0; j < model_.terrain_count; ++j) {
+    const std::size_t body = model_.body_count + j;
+    const TerrainPast now{-forces_[body], frames_[body].position()};
+    if (!first)
+      work += 0.5 * dot(terrain_past_[j].force + now.force, now.position - terrain_past_[j].position);
+    terrain_past_[j] = now;
+  }
+  return work;
 }
 
 void Dynamics::note_deepest(double t, const ContactTotals& totals) {

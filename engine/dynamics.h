@@ -18,12 +18,16 @@ class Dynamics {
   /// Accelerations at (t, q, v). begins_step: these are the poses of an accepted step.
   Powers accelerate(double t, std::span<const double> q, std::span<const double> v, std::span<double> a,
                     bool begins_step);
+  /// Work between the last two accepted steps' poses: the trapezoidal rule on the forces along the
+  /// displacements.
+  Powers work() const { return work_; }
   /// Force of the terrains on the bodies at the last evaluation (N).
   Vec2 terrain_reaction() const;
 
  private:
   void damp_locally(std::span<const double> v, std::span<double> a) const;
   Powers terrain_power(const ContactTotals& totals) const;
+  double terrain_work();
   void note_deepest(double t, const ContactTotals& totals);
 
   const Model& model_;
@@ -34,6 +38,11 @@ class Dynamics {
   std::vector<PointLoad> loads_;
   std::vector<Vec2> forces_;
   std::vector<double> torques_;
+  struct TerrainPast {
+    Vec2 force, position;  // N on the bodies, m
+  };
+  std::vector<TerrainPast> terrain_past_;  // at the last accepted step
+  Powers work_;
 };
 
 }  // namespace dougong::engine

@@ -2,9 +2,14 @@
 //
 //   error = (kinetic + gravity + elastic + friction + damping - input) - (the same at the start)
 //
-// input, damping and the tangential work are cumulated by the integrator; kinetic, gravity and elastic
-// are read off the state. Friction is the tangential work less what the friction springs store. The
-// error is what numerics made or lost: nothing is booked against it.
+// input, damping and the tangential work are cumulated by the integrator: those with one evaluation a step
+// take the trapezoidal rule along the displacements, 1/2 (F(n) + F(n+1)) . (q(n+1) - q(n)), for which the
+// kinetic energy of Verlet's method balances exactly,
+//     dT = that sum + h^2/8 (|F(n+1)|^2 - |F(n)|^2)/m   (the last term telescopes),
+// so that dashpots that start with a jump and linear springs make no error; what is left comes from springs
+// that close or open within a step. Kinetic, gravity and elastic energy are read off the state. Friction is
+// the tangential work less what the friction springs store. The error is what numerics made or lost: nothing
+// is booked against it.
 #pragma once
 
 #include "engine/state.h"

@@ -160,7 +160,10 @@ void add_storeys(const Run& run, Response& response) {
 void add_base_shear(const Run& run, Response& response) {
   response.weight = sum_of(run.masses) * engine::norm(run.building.scene.gravity);
   for (const Vec2 reaction : run.trajectory.ground_reaction) response.base_shear.push_back(reaction.x);
-  response.peak_base_shear = envelope_of(response.base_shear, response.times);
+  // Afterwards the ground feels debris, not a building.
+  std::size_t first_loss = never;
+  for (const Loss& loss : run.level_losses) first_loss = std::min(first_loss, loss.step);
+  response.peak_base_shear = envelope_of(response.base_shear, response.times, first_loss);
   if (response.weight == 0.0) return;  // without gravity there is nothing to compare with
   const auto over_weight = [&](Peak peak) { return Peak{peak.value / response.weight, peak.time}; };
   response.peak_base_shear_ratio = {over_weight(response.peak_base_shear.positive),
@@ -211,6 +214,20 @@ Lean greatest_lean(const Run& run) {
 }
 
 }  // namespace
+
+const StoreyResponse* storey_of_peak_drift(const Response& response) {
+  const auto magnitude = [](const StoreyResponse& s) { return std::abs(s.peak_drift.largest().value); };
+  const auto worst = std::ranges::max_element(response.storeys, {}, magnitude);
+  return worst == response.storeys.end() ? nullptr : &*worst;
+}
+
+const StoreyResponse* storey_of_residual_drift(const Response& response) {
+  const StoreyResponse* worst = nullptr;
+  for (const StoreyResponse& storey : response.storeys)
+    if (!storey.lost_at && (!worst || std::abs(storey.residual_drift) > std::abs(worst->residual_drift)))
+      worst = &storey;
+  return worst;
+}
 
 Response compute_response(const Building& building, const Trajectory& trajectory,
                           const LossCriteria& criteria) {

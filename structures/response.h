@@ -111,7 +111,7 @@ struct Response {
   std::vector<double> roof_displacement;  // nt, m, relative to the ground
   Envelope peak_roof_displacement;
   std::vector<double> base_shear;               // nt, N, positive when the ground pushes the building to +x
-  Envelope peak_base_shear;                     // N
+  Envelope peak_base_shear;                     // N, before any storey is lost
   double weight = 0.0;                          // N
   std::vector<BlockLoss> losses;                // in order of time
   std::optional<double> first_loss_of_support;  // s
@@ -120,6 +120,11 @@ struct Response {
   std::size_t blocks = 0;                       // of the building
   Lean greatest_lean;                           // at the end, the one nearest to its limit
 };
+
+/// The storey with the largest peak drift of either sign; null without storeys.
+const StoreyResponse* storey_of_peak_drift(const Response& response);
+/// The standing storey with the largest residual drift; null when none stands.
+const StoreyResponse* storey_of_residual_drift(const Response& response);
 
 /// Throws std::invalid_argument when the trajectory does not belong to the building. A trajectory
 /// without any output time gives a response without histories.

@@ -161,22 +161,15 @@ Sentences numerical_evidence(const NumericalEvidence& numerics, const VerdictCri
   return lines;
 }
 
-const StoreyResponse* storey_of_peak_drift(const Response& response) {
-  const auto magnitude = [](const StoreyResponse& s) { return std::abs(s.peak_drift.largest().value); };
-  const auto it = std::ranges::max_element(response.storeys, {}, magnitude);
-  return it == response.storeys.end() ? nullptr : &*it;
-}
-
 std::string peak_drift_text(const StoreyResponse& storey) {
   const Peak peak = storey.peak_drift.largest();
   return fmt::format("peak drift {} in {} at {:.2f} s", drift_text(peak.value), storey.name, peak.time);
 }
 
-double greatest_residual(const Response& response) {
-  double greatest = 0.0;
-  for (const StoreyResponse& storey : response.storeys)
-    if (std::abs(storey.residual_drift) > std::abs(greatest)) greatest = storey.residual_drift;
-  return greatest;
+std::string residual_text(const Response& response) {
+  const StoreyResponse* storey = storey_of_residual_drift(response);
+  return storey ? fmt::format("residual drift {} in {}", drift_text(storey->residual_drift), storey->name)
+                : "no storey stands at the end";
 }
 
 Sentences structural_evidence(const Response& response) {
@@ -189,8 +182,8 @@ Sentences structural_evidence(const Response& response) {
         fmt::format("The first block lost its support at {:.2f} s.", *response.first_loss_of_support));
   lines.push_back(fallen_text(response) + ".");
   if (const StoreyResponse* storey = storey_of_peak_drift(response))
-    lines.push_back(fmt::format("Largest drifts: {}; residual drift {}.", peak_drift_text(*storey),
-                                drift_text(greatest_residual(response))));
+    lines.push_back(
+        fmt::format("Largest drifts: {}; {}.", peak_drift_text(*storey), residual_text(response)));
   const Peak shear = response.peak_base_shear.largest(), ratio = response.peak_base_shear_ratio.largest();
   lines.push_back(fmt::format("Peak base shear {:.4g} kN at {:.2f} s, {:.3g} of the weight.",
                               shear.value / 1e3, shear.time, ratio.value));
@@ -205,8 +198,7 @@ std::string survival_headline(const Response& response) {
   const std::string fallen = response.losses.empty() ? "no block fell" : fallen_text(response);
   const StoreyResponse* storey = storey_of_peak_drift(response);
   if (!storey) return fmt::format("Survived: {}.", fallen);
-  return fmt::format("Survived: {}, residual {}; {}.", peak_drift_text(*storey),
-                     drift_text(greatest_residual(response)), fallen);
+  return fmt::format("Survived: {}, {}; {}.", peak_drift_text(*storey), residual_text(response), fallen);
 }
 
 }  // namespace

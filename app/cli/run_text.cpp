@@ -64,16 +64,8 @@ Tone tone_of(structures::VerdictKind kind) {
   }
 }
 
-const structures::StoreyResponse* worst_storey(const structures::Response& response) {
-  const structures::StoreyResponse* worst = nullptr;
-  for (const auto& storey : response.storeys)
-    if (!worst || std::abs(storey.peak_drift.largest().value) > std::abs(worst->peak_drift.largest().value))
-      worst = &storey;
-  return worst;
-}
-
 std::string drift_text(const structures::Response& response) {
-  const structures::StoreyResponse* worst = worst_storey(response);
+  const structures::StoreyResponse* worst = structures::storey_of_peak_drift(response);
   if (!worst) return "no storeys";
   const structures::Peak peak = worst->peak_drift.largest();
   return fmt::format("{} ({}) in {} at {:.2f} s{}", drift_percent(peak.value), drift_fraction(peak.value),
@@ -81,10 +73,8 @@ std::string drift_text(const structures::Response& response) {
 }
 
 std::string residual_text(const structures::Response& response) {
-  const structures::StoreyResponse* worst = nullptr;
-  for (const auto& storey : response.storeys)
-    if (!worst || std::abs(storey.residual_drift) > std::abs(worst->residual_drift)) worst = &storey;
-  if (!worst) return "no storeys";
+  const structures::StoreyResponse* worst = structures::storey_of_residual_drift(response);
+  if (!worst) return "none: no storey stands at the end";
   return fmt::format("{} in {}", drift_percent(worst->residual_drift), worst->name);
 }
 
@@ -108,8 +98,11 @@ std::string losses_text(const structures::Response& response, std::size_t blocks
 
 std::string numbers_text(const RunResult& r) {
   return fmt::format(
-      "energy error {} % of the energy turned over, deepest overlap {} % of a block, {} steps in {:.1f} s",
-      significant(100.0 * r.energy.relative_error, 2),
+      "energy error {} % of the input{}, deepest overlap {} % of a block, {} steps in {:.1f} s",
+      significant(100.0 * r.energy.standing_error, 2),
+      r.response.first_loss_of_support ? fmt::format(" while it stood, {} % of the energy turned over in all",
+                                                     significant(100.0 * r.energy.relative_error, 2))
+                                       : "",
       significant(100.0 * r.numerics.deepest_overlap_ratio, 2), r.numerics.steps,
       r.reproducibility.wall_seconds);
 }

@@ -67,17 +67,15 @@ Html verdict_box(const RunResult& run) {
          paragraph(run.verdict.headline) + list(run.verdict.evidence) + raw("</div>\n");
 }
 
-template <class PeakOf>
-const StoreyResponse* strongest(const RunResult& run, PeakOf peak_of) {
+const StoreyResponse* storey_of_peak_acceleration(const RunResult& run) {
   const auto& storeys = run.response.storeys;
-  const auto size = [&](const StoreyResponse& s) { return std::abs(peak_of(s).value); };
-  const auto found = std::max_element(storeys.begin(), storeys.end(),
-                                      [&](const auto& a, const auto& b) { return size(a) < size(b); });
+  const auto size = [](const StoreyResponse& s) { return std::abs(s.peak_acceleration.largest().value); };
+  const auto found = std::ranges::max_element(storeys, {}, size);
   return found == storeys.end() ? nullptr : &*found;
 }
 
 Number drift_number(const RunResult& run) {
-  const StoreyResponse* storey = strongest(run, [](const auto& s) { return s.peak_drift.largest(); });
+  const StoreyResponse* storey = structures::storey_of_peak_drift(run.response);
   Number n{"Largest interstorey drift", "n/a", "no storeys",
            "Horizontal displacement of a floor against the one below, over the storey height; before any "
            "loss of the storey"};
@@ -99,11 +97,11 @@ Number shear_number(const RunResult& run) {
   const double weight = run.response.weight;
   return {"Peak base shear, V/W", weight > 0 ? signed_fixed(peak.value / weight, 3) : "n/a",
           signed_fixed(peak.value / 1e3, 1) + " kN at " + seconds(peak.time),
-          "Horizontal force of the ground on the building, over its weight"};
+          "Horizontal force of the ground on the building, over its weight; before any storey is lost"};
 }
 
 Number acceleration_number(const RunResult& run) {
-  const StoreyResponse* storey = strongest(run, [](const auto& s) { return s.peak_acceleration.largest(); });
+  const StoreyResponse* storey = storey_of_peak_acceleration(run);
   Number n{"Peak floor acceleration", "n/a", "no storeys",
            "Absolute horizontal acceleration of a floor, before any loss of its storey"};
   if (storey == nullptr) return n;

@@ -171,16 +171,22 @@ std::string overlap_words(const Numerics& n) {
   return n.deepest_overlap_where.empty() ? words : words + "; " + n.deepest_overlap_where;
 }
 
+std::string energy_error_words(const RunResult& run) {
+  return fmt::format("{} % of the input{}, {} % of the energy turned over",
+                     significant(100 * run.energy.standing_error, 2),
+                     run.response.first_loss_of_support ? " until the first block lost its support" : "",
+                     significant(100 * run.energy.relative_error, 2));
+}
+
 Html numerics_table(const RunResult& run) {
   const Numerics& n = run.numerics;
-  return table(
-      "", {{"Quantity", "", false}, {"Value", "", false}},
-      {{"Outcome", outcome_words(n)},
-       {"Integrator", n.integrator},
-       {"Step", significant(1e6 * n.step, 3) + " µs, " + step_share(n)},
-       {"Steps", std::to_string(n.steps) + ", " + plural(n.step_reductions, "reduction")},
-       {"Energy error", significant(100 * run.energy.relative_error, 2) + " % of the energy turned over"},
-       {"Deepest overlap", overlap_words(n)}});
+  return table("", {{"Quantity", "", false}, {"Value", "", false}},
+               {{"Outcome", outcome_words(n)},
+                {"Integrator", n.integrator},
+                {"Step", significant(1e6 * n.step, 3) + " µs, " + step_share(n)},
+                {"Steps", std::to_string(n.steps) + ", " + plural(n.step_reductions, "reduction")},
+                {"Energy error", energy_error_words(run)},
+                {"Deepest overlap", overlap_words(n)}});
 }
 
 Html warning_list(const RunResult& run) {
@@ -235,8 +241,7 @@ Html page_energy(const RunResult& run, const std::vector<Picture>& pictures) {
   return paragraph(
              "What the ground put in equals what moves, was lifted, is stored in contacts or was dissipated. "
              "The rest is error: " +
-             significant(100 * run.energy.relative_error, 2) +
-             " % at most of the energy turned over (the input and what gravity gave).") +
+             energy_error_words(run) + " (the input and what gravity gave).") +
          plot(pictures, "energy", "Cumulated energies; below, the error of their balance.", "energy.csv");
 }
 

@@ -150,6 +150,7 @@ void walk_energy(A& a, R& energy) {
   a.field("error", "J", energy.error);
   a.field("largest_input", "J", energy.largest_input);
   a.field("relative_error", "1", energy.relative_error);
+  a.field("standing_error", "1", energy.standing_error);
 }
 
 template <class A, class R>

@@ -88,7 +88,8 @@ Json energy_part(const EnergyHistory& energy) {
           {"damping", metric(last(energy.damping), "J")},
           {"error", metric(last(energy.error), "J")},
           {"largest_input", metric(energy.largest_input, "J")},
-          {"relative_error", metric(energy.relative_error, "1")}};
+          {"relative_error", metric(energy.relative_error, "1")},
+          {"standing_error", metric(energy.standing_error, "1")}};
 }
 
 Json numerics_part(const RunResult& run) {

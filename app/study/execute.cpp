@@ -149,6 +149,16 @@ structures::Verdict verdict_before_shaking(const Preparation& p) {
   return verdict;
 }
 
+double standing_error(const EnergyHistory& energy, const structures::Response& response) {
+  double error = 0.0, input = 0.0;
+  for (std::size_t k = 0; k < response.times.size(); ++k) {
+    if (response.first_loss_of_support && response.times[k] > *response.first_loss_of_support) break;
+    error = std::max(error, std::abs(energy.error[k]));
+    input = std::max(input, std::abs(energy.input[k]));
+  }
+  return input > 0.0 ? error / input : 0.0;
+}
+
 Reproducibility reproducibility_of(const Preparation& p, const std::string& command) {
   Reproducibility r;
   r.version = program_version();
@@ -199,6 +209,7 @@ RunResult execute(Preparation& p, const std::string& command, const ProgressObse
                              : early_verdict;
   result.trajectory = std::move(recorder.trajectory);
   result.energy = std::move(recorder.energy);
+  result.energy.standing_error = standing_error(result.energy, result.response);
   result.moments = moments_of(result);
   return result;
 }

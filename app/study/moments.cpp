@@ -19,10 +19,7 @@ void add_strongest_shaking(const RunResult& r, std::vector<Moment>& moments) {
 }
 
 void add_peak_drift(const RunResult& r, std::vector<Moment>& moments) {
-  const structures::StoreyResponse* worst = nullptr;
-  for (const auto& storey : r.response.storeys)
-    if (!worst || std::abs(storey.peak_drift.largest().value) > std::abs(worst->peak_drift.largest().value))
-      worst = &storey;
+  const structures::StoreyResponse* worst = structures::storey_of_peak_drift(r.response);
   if (worst && worst->peak_drift.largest().value != 0.0)
     moments.push_back({worst->peak_drift.largest().time, "peak drift, " + worst->name});
 }

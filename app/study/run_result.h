@@ -78,6 +78,8 @@ struct EnergyHistory {
   /// Greatest |error| over the energy turned over: the greatest sum of |input| and of what gravity gave. A
   /// collapse is driven by gravity, whose energy is a hundred times that of the shaking.
   double relative_error = 0.0;
+  /// Greatest |error| over the greatest |input|, until the first block loses its support; 0 without input.
+  double standing_error = 0.0;
 };
 
 struct SettleSheet {

@@ -52,6 +52,7 @@ PointGeometry round_geometry(const ContactPoints& points, std::size_t i, const F
   const double slipped = distance * cross(past.direction, g.normal) -
                          (distance - other) * (corner.angle - past.angle_corner) -
                          other * (edge.angle - past.angle_edge);
+  g.position = slipped;
   g.slip = past.open ? 0.0 : slipped - past.anchor;
   g.arm_edge = edge_arm + other * g.normal;
   g.arm_corner = g.arm_edge - between;
@@ -68,17 +69,33 @@ PointRates rates_of(const PointGeometry& g, const Frame& corner, const Frame& ed
   return {-dot(g.normal, u), dot(turned(g.normal), u)};
 }
 
-// Coulomb's return: the anchor follows what the friction cannot hold.
-inline void commit_history(ContactPoints& points, std::size_t i, const PointGeometry& g, double limit,
-                           const Frame& corner, const Frame& edge) {
-  const double kept = returned_slip(g.slip, points.stiffness[i].tangential, limit);
-  PointHistory& past = points.history[i];
-  past.open = false;
-  if (points.kind[i] == FeatureKind::round) {
-    past = {-kept, false, g.normal, corner.angle, edge.angle};
-  } else {
-    past.anchor = g.position - kept;
-  }
+// Round contacts measure their position from the last committed poses.
+inline double rebased_position(ContactPoints& points, std::size_t i, const PointGeometry& g,
+                               const Frame& corner, const Frame& edge) {
+  if (points.kind[i] == FeatureKind::corner_edge) return g.position;
+  PointHistory& history = points.history[i];
+  history.direction = g.normal;
+  history.angle_corner = corner.angle, history.angle_edge = edge.angle;
+  return 0.0;
+}
+
+// What the forces of a point do and did, for the work between two committed poses.
+struct PointForces {
+  double dashpot = 0.0, viscous = 0.0, friction = 0.0;  // N, as in PointPast
+  double limit = 0.0;                                   // N, Coulomb's
+};
+
+// The work since the last commit; then Coulomb's return: the anchor follows what the friction cannot hold.
+inline void commit_point(ContactPoints& points, std::size_t i, const PointGeometry& g, const PointForces& f,
+                         const Frame& corner, const Frame& edge, ContactTotals& totals) {
+  PointPast& past = points.past[i];
+  const double closed = g.overlap - past.overlap, slid = g.position - past.position;
+  totals.damping_work += 0.5 * (past.dashpot + f.dashpot) * closed + 0.5 * (past.viscous + f.viscous) * slid;
+  totals.tangential_work += 0.5 * (past.friction + f.friction) * slid;
+  const double position = rebased_position(points, i, g, corner, edge);
+  past = {g.overlap, position, f.dashpot, f.viscous, f.friction};
+  points.history[i].open = !(g.overlap > 0.0);
+  points.history[i].anchor = position - returned_slip(g.slip, points.stiffness[i].tangential, f.limit);
 }
 
 }  // namespace
@@ -88,7 +105,7 @@ void ContactPoints::resize(std::size_t n) {
   corner_body.resize(n), edge_body.resize(n);
   corner.resize(n), edge_point.resize(n), edge_normal.resize(n), edge_offset.resize(n);
   radius.resize(n), other_radius.resize(n);
-  stiffness.resize(n), inverse_width.resize(n), history.resize(n);
+  stiffness.resize(n), inverse_width.resize(n), history.resize(n), past.resize(n);
 }
 
 void ContactPoints::set(std::size_t i, const Feature& f, const PointStiffness& law, double width) {
@@ -101,6 +118,13 @@ void ContactPoints::set(std::size_t i, const Feature& f, const PointStiffness& l
   inverse_width[i] = 1.0 / width;
 }
 
+void ContactPoints::start(std::size_t i, std::span<const Frame> frames) {
+  history[i] = {}, past[i] = {};
+  const PointGeometry g = geometry_of(*this, i, frames);
+  past[i].overlap = g.overlap;
+  past[i].position = rebased_position(*this, i, g, frames[corner_body[i]], frames[edge_body[i]]);
+}
+
 PointGeometry geometry_of(const ContactPoints& points, std::size_t i, std::span<const Frame> frames) {
   const Frame &corner = frames[points.corner_body[i]], &edge = frames[points.edge_body[i]];
   if (points.kind[i] == FeatureKind::round) return round_geometry(points, i, corner, edge);
@@ -109,9 +133,9 @@ PointGeometry geometry_of(const ContactPoints& points, std::size_t i, std::span<
 
 namespace {
 
-// Force of one touching point; adds its powers to the totals. Returns Coulomb's limit.
-inline double touch(const PointStiffness& law, const PointGeometry& g, const Frame& corner, const Frame& edge,
-                    PointLoad& load, ContactTotals& totals) {
+// Force of one touching point; adds its powers to the totals.
+inline PointForces touch(const PointStiffness& law, const PointGeometry& g, const Frame& corner,
+                         const Frame& edge, PointLoad& load, ContactTotals& totals) {
   const PointRates rate = rates_of(g, corner, edge);
   const double normal = normal_force(law.normal, law.normal_damping, g.overlap, rate.overlap);
   const double limit = law.friction * normal;
@@ -120,11 +144,11 @@ inline double touch(const PointStiffness& law, const PointGeometry& g, const Fra
   const Vec2 force = normal * g.normal + tangential * turned(g.normal);
   load = {force.x, force.y, cross(g.arm_corner, force), -cross(g.arm_edge, force)};
 
-  const bool slips = std::abs(wanted) > limit;
-  const double viscous = slips ? 0.0 : law.tangential_damping * rate.slip * rate.slip;
-  totals.damping_power += (normal - law.normal * g.overlap) * rate.overlap + viscous;
-  totals.tangential_power += -tangential * rate.slip - viscous;
-  return limit;
+  const double viscous = std::abs(wanted) > limit ? 0.0 : law.tangential_damping * rate.slip;
+  const PointForces f{normal - law.normal * g.overlap, viscous, -tangential - viscous, limit};
+  totals.damping_power += f.dashpot * rate.overlap + f.viscous * rate.slip;
+  totals.tangential_power += f.friction * rate.slip;
+  return f;
 }
 
 }  // namespace
@@ -137,18 +161,17 @@ ContactTotals contact_forces(ContactPoints& points, std::span<const Frame> frame
     PointGeometry g;
     if (points.kind[i] == FeatureKind::corner_edge) {
       const Approach a = approach_of(points, i, corner, edge);
-      if (a.overlap > 0.0) g = corner_edge_geometry(points, i, a, corner, edge);
+      if (commit || a.overlap > 0.0) g = corner_edge_geometry(points, i, a, corner, edge);
     } else {
       g = round_geometry(points, i, corner, edge);
     }
-    if (!(g.overlap > 0.0)) {
+    PointForces f;
+    if (g.overlap > 0.0)
+      f = touch(points.stiffness[i], g, corner, edge, loads[i], totals);
+    else
       loads[i] = {};
-      if (commit) points.history[i].open = true;
-      continue;
-    }
-    const double limit = touch(points.stiffness[i], g, corner, edge, loads[i], totals);
     if (!commit) continue;
-    commit_history(points, i, g, limit, corner, edge);
+    commit_point(points, i, g, f, corner, edge, totals);
     const double ratio = g.overlap * points.inverse_width[i];
     if (ratio > totals.deepest_ratio) totals.deepest_ratio = ratio, totals.deepest_point = i;
   }

@@ -25,6 +25,14 @@ struct PointHistory {
   double angle_corner = 0.0, angle_edge = 0.0;  // rad
 };
 
+/// Where a point stood at the last committed poses and what it did there: the work of its forces since then
+/// is the trapezoidal rule along its displacement.
+struct PointPast {
+  double overlap = 0.0, position = 0.0;  // m, negative overlap when open
+  double dashpot = 0.0;                  // N, normal force less the spring's
+  double viscous = 0.0, friction = 0.0;  // N, against slip: the tangential dashpot, and all else
+};
+
 /// Forces of one point on its two bodies; torques about their centroids.
 struct PointLoad {
   double fx = 0.0, fy = 0.0;                      // N, on the corner's body; the edge's gets the opposite
@@ -35,7 +43,9 @@ struct PointLoad {
 struct ContactTotals {
   double damping_power = 0.0;     // W, taken by the dashpots
   double tangential_power = 0.0;  // W, taken by the tangential forces less their dashpots
-  double deepest_ratio = 0.0;     // overlap over the smaller body's minimum width
+  // The same as work since the last committed poses (J); only with `commit`.
+  double damping_work = 0.0, tangential_work = 0.0;
+  double deepest_ratio = 0.0;  // overlap over the smaller body's minimum width
   std::size_t deepest_point = 0;
 };
 
@@ -48,10 +58,13 @@ struct ContactPoints {
   std::vector<PointStiffness> stiffness;
   std::vector<double> inverse_width;  // 1/m
   std::vector<PointHistory> history;
+  std::vector<PointPast> past;
 
   std::size_t size() const { return kind.size(); }
   void resize(std::size_t n);
   void set(std::size_t i, const Feature& feature, const PointStiffness& law, double width);
+  /// Forgets: point i stands where the frames say, and has done nothing yet.
+  void start(std::size_t i, std::span<const Frame> frames);
 };
 
 /// Geometry of one point at given poses.
@@ -61,7 +74,7 @@ struct PointGeometry {
   Vec2 arm_edge;          // m
   double overlap = 0.0;   // m, > 0 when touching
   double slip = 0.0;      // m, from the anchor; 0 for an open point
-  double position = 0.0;  // m, of the corner along the edge; unused for round contacts
+  double position = 0.0;  // m, of the corner along the edge; round contacts: slip since the last commit
 };
 PointGeometry geometry_of(const ContactPoints& points, std::size_t i, std::span<const Frame> frames);
 

@@ -142,22 +142,27 @@ void ContactSet::rebuild_pairs(const Model& model, std::span<const Frame> frames
   }
 }
 
+std::array<ContactSet::Memory, 2> ContactSet::memory_of(const ContactPoints& points, std::size_t first) {
+  return {{{points.history[first], points.past[first]}, {points.history[first + 1], points.past[first + 1]}}};
+}
+
 void ContactSet::write_points(const Model& model, std::span<const Frame> frames, ContactPair& pair,
-                              const Manifold& old, std::span<const PointHistory> old_history) {
+                              const Manifold& old, std::span<const Memory> kept) {
   const auto [a, b] = pair.bodies;
   const double width = std::min(model.minimum_width[a], model.minimum_width[b]);
   for (Index k = 0; k < 2; ++k) {
     const std::size_t i = pair.first_point + k;
     if (k >= pair.manifold.count) {
       points.set(i, empty_slot(a, b), {}, width);
-      points.history[i] = {};
+      points.history[i] = {}, points.past[i] = {};
       continue;
     }
     const Feature& feature = pair.manifold.features[k];
     points.set(i, feature, point_stiffness(model, frames, pair.manifold, feature, a, b), width);
-    points.history[i] = {};
+    points.start(i, frames);
     for (Index l = 0; l < old.count; ++l)
-      if (old.features[l].identity == feature.identity) points.history[i] = old_history[l];
+      if (old.features[l].identity == feature.identity)
+        points.history[i] = kept[l].history, points.past[i] = kept[l].past;
   }
 }
 
@@ -174,7 +179,7 @@ bool ContactSet::refresh(const Model& model, std::span<const Frame> frames, Cont
   if (!active) return false;
 
   // End k of the contact may have passed from one corner to another at the same place.
-  std::array<PointHistory, 2> history{points.history[pair.first_point], points.history[pair.first_point + 1]};
+  const std::array<Memory, 2> kept = memory_of(points, pair.first_point);
   std::array<double, 2> slip{};
   for (Index k = 0; k < old.count; ++k) slip[k] = geometry_of(points, pair.first_point + k, frames).slip;
   const auto place = [&](Index k) {
@@ -182,13 +187,13 @@ bool ContactSet::refresh(const Model& model, std::span<const Frame> frames, Cont
            geometry_of(points, pair.first_point + k, frames).arm_edge;
   };
   const std::array<Vec2, 2> old_place{place(0), place(old.count > 1 ? 1 : 0)};
-  write_points(model, frames, pair, old, history);
+  write_points(model, frames, pair, old, kept);
   if (same_features(old, pair.manifold)) return false;
   for (Index k = 0; k < std::min(old.count, pair.manifold.count); ++k) {
     const auto identity = pair.manifold.features[k].identity;
     if (identity == old.features[0].identity || (old.count > 1 && identity == old.features[1].identity))
       continue;
-    if (history[k].open || norm(place(k) - old_place[k]) > 2.0 * pair.margin) continue;
+    if (kept[k].history.open || norm(place(k) - old_place[k]) > 2.0 * pair.margin) continue;
     // Corner and edge may have changed sides: both the tangent and the motion turn round, so slip stays.
     points.history[pair.first_point + k] = history_with_slip(points, pair.first_point + k, frames, slip[k]);
   }
@@ -211,8 +216,7 @@ void ContactSet::lay_out_points(const Model& model, std::span<const Frame> frame
     pair.first_point = next;
     next += 2;
     if (was_active) {
-      const std::array<PointHistory, 2> history{old.history[old_first], old.history[old_first + 1]};
-      write_points(model, frames, pair, pair.manifold, history);
+      write_points(model, frames, pair, pair.manifold, memory_of(old, old_first));
     } else {
       write_points(model, frames, pair, {}, {});
     }

@@ -45,11 +45,18 @@ class ContactSet {
   const std::vector<ContactPair>& pairs() const { return pairs_; }
 
  private:
+  // What a point keeps while its feature stays.
+  struct Memory {
+    PointHistory history;
+    PointPast past;
+  };
+  static std::array<Memory, 2> memory_of(const ContactPoints& points, std::size_t first);
+
   void rebuild_pairs(const Model& model, std::span<const Frame> frames);
   bool moved_beyond_skin(const Model& model, std::span<const Frame> frames) const;
   bool refresh(const Model& model, std::span<const Frame> frames, ContactPair& pair, bool& activity_changed);
   void write_points(const Model& model, std::span<const Frame> frames, ContactPair& pair, const Manifold& old,
-                    std::span<const PointHistory> old_history);
+                    std::span<const Memory> kept);
   void lay_out_points(const Model& model, std::span<const Frame> frames);
   void index_bodies(std::size_t bodies);
 

@@ -39,6 +39,7 @@ concept SecondOrderSystem = requires(S s, double t, std::span<const double> q, s
                                      bool first) {
   { s.degrees_of_freedom() } -> std::convertible_to<std::size_t>;
   { s.accelerate(t, q, q, a, first) } -> std::same_as<Powers>;
+  { s.work() } -> std::same_as<Powers>;
 };
 
 /// step() advances q and v from t to t + h and returns the work done. restart() forgets what was kept

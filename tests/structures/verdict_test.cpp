@@ -83,9 +83,9 @@ constexpr auto survived = VerdictKind::survived;
 INSTANTIATE_TEST_SUITE_P(
     Rules, VerdictTable,
     ::testing::Values(
-        Branch{
-            "nothing_wrong", [](Case&) {}, survived,
-            "Survived: peak drift -1.25 % (-1/80) in S1 at 5.31 s, residual 0.1 % (1/1000); no block fell."},
+        Branch{"nothing_wrong", [](Case&) {}, survived,
+               "Survived: peak drift -1.25 % (-1/80) in S1 at 5.31 s, residual drift 0.1 % (1/1000) in S1; "
+               "no block fell."},
         Branch{"some_fell",
                [](Case& c) {
                  c.response.losses.push_back({2, 3.0, "turned 46 deg"});

@@ -185,6 +185,7 @@ void add_energy(RunResult& run, const Shaking& s) {
   }
   for (const double error : e.error)
     e.relative_error = std::max(e.relative_error, std::abs(error) / e.largest_input);
+  e.standing_error = 0.5 * e.relative_error;
 }
 
 void add_paperwork(RunResult& run, const Shaking& s) {

@@ -50,6 +50,23 @@ TEST(Execute, TheEnergyErrorIsMeasuredByWhatGravityGaveToo) {
   EXPECT_LE(e.relative_error, error / gave);
 }
 
+TEST(Execute, TheStandingErrorIsMeasuredByTheInputUntilTheFirstLossOfSupport) {
+  Preparation p = prepared({"layout=column", "drums=3", "width=0.2 m", "pga=1 g", "duration=25 s"});
+  const RunResult r = execute(p, "");
+  ASSERT_TRUE(r.response.first_loss_of_support);
+  double error = 0.0, input = 0.0;
+  for (std::size_t i = 0; r.response.times[i] <= *r.response.first_loss_of_support; ++i) {
+    error = std::max(error, std::abs(r.energy.error[i]));
+    input = std::max(input, std::abs(r.energy.input[i]));
+  }
+  EXPECT_DOUBLE_EQ(r.energy.standing_error, error / input);
+  EXPECT_LT(r.energy.standing_error, 0.01);
+  Preparation drum = prepared_drum();
+  const RunResult stood = execute(drum, "");
+  ASSERT_FALSE(stood.response.first_loss_of_support);
+  EXPECT_GE(stood.energy.standing_error, stood.energy.relative_error * 0.999);
+}
+
 TEST(Execute, TheWeakestMotionIsNoNumericalFault) {
   Preparation p = prepared({"duration=1 s", "pga=1e-8 g"});
   EXPECT_EQ(execute(p, "").verdict.kind, VerdictKind::survived);

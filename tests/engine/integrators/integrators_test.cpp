@@ -17,11 +17,18 @@ struct Oscillator {
   double w2, c;
   std::size_t evaluations = 0;
   std::size_t degrees_of_freedom() const { return 1; }
-  Powers accelerate(double, std::span<const double> q, std::span<const double> v, std::span<double> a, bool) {
+  double last_position = 0.0, last_force = 0.0, last_work = 0.0;
+  Powers accelerate(double, std::span<const double> q, std::span<const double> v, std::span<double> a,
+                    bool begins_step) {
+    if (begins_step) {
+      last_work = evaluations > 0 ? 0.5 * (last_force + c * v[0]) * (q[0] - last_position) : 0.0;
+      last_position = q[0], last_force = c * v[0];
+    }
     ++evaluations;
     a[0] = -w2 * q[0] - c * v[0];
     return {{0.0, c * v[0] * v[0], 0.0}};
   }
+  Powers work() const { return {{0.0, last_work, 0.0}}; }
 };
 
 template <class I>
@@ -131,6 +138,7 @@ TYPED_TEST(EveryIntegrator, FallsFreely) {
         a[0] = -9.81;
         return {};
       }
+      Powers work() const { return {}; }
     } system;
     TypeParam integrator;
     std::vector<double> q{20.0}, v{4.0};
