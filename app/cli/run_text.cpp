@@ -28,6 +28,13 @@ std::string period_text(const Preparation& p) {
                      100.0 * p.participation);
 }
 
+// The heads of the sheet's sentences: what stands before the colon.
+std::string heads_of(const std::vector<std::string>& terms) {
+  std::string heads;
+  for (const std::string& term : terms) heads += (heads.empty() ? "" : "; ") + term.substr(0, term.find(':'));
+  return heads;
+}
+
 std::string settle_text(const Preparation& p) {
   if (!p.scenario.solve.settle) return "left out (solve.settle = false)";
   if (p.settle.outcome == engine::Outcome::diverged) return "failed: " + p.settle.detail;
@@ -110,12 +117,15 @@ std::string numbers_text(const RunResult& r) {
 }  // namespace
 
 std::vector<std::string> preparation_text(const Preparation& p) {
+  const ModelSheet sheet = model_sheet(p);
   std::vector<std::string> lines{
       row("building",
           fmt::format("{}: {}", p.building.layout, structures::find_layout(p.building.layout).summary)),
       row("model", fmt::format("{} rigid blocks, 0 bonds, {} touching contact points, {}, {} storeys",
                                p.model.body_count, p.contact_points, mass_text(p.model.total_mass()),
                                p.building.storeys.size())),
+      row("modelled", heads_of(sheet.modelled)),
+      row("left out", heads_of(sheet.not_modelled)),
       row("settle", settle_text(p)),
       row("period", period_text(p)),
       row("motion", motion_text(p)),

@@ -77,7 +77,10 @@ void make_directory(const fs::path& path) {
 }
 
 TemporaryDirectory::TemporaryDirectory() {
-  std::string name = (fs::temp_directory_path() / "dougong-XXXXXX").string();
+  std::error_code error;
+  const fs::path parent = fs::temp_directory_path(error);
+  if (error) throw FileError("$TMPDIR", "use the folder for temporary files", error.message());
+  std::string name = (parent / "dougong-XXXXXX").string();
   if (::mkdtemp(name.data()) == nullptr) throw FileError(name, "make the folder", reason_of(errno));
   path_ = name;
 }

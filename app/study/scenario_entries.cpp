@@ -58,7 +58,8 @@ std::vector<Entry> entries_of_toml(const std::string& text, const std::string& s
 }
 
 Entry entry_of_override(const Override& change) {
-  const std::string place = fmt::format("{} {}={}", change.origin, change.key, change.value);
+  const std::string place = change.origin == "--set" ? fmt::format("--set {}={}", change.key, change.value)
+                                                     : fmt::format("{} {}", change.origin, change.value);
   Entry entry{change.key, change.value, place, place, 0, true};
   const std::string& value = change.value;
   if (value.size() < 2 || (value.front() != '"' && value.front() != '\'')) return entry;
