@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/joint.h"
 #include "engine/material.h"
 #include "engine/motion.h"
 #include "engine/shape.h"
@@ -19,13 +20,16 @@ inline constexpr double standard_gravity = 9.80665;  // m/s2
 struct Body {
   std::string name;
   Shape shape;
-  Vec2 position;               // m, of the centroid
-  double angle = 0.0;          // rad
-  Vec2 velocity;               // m/s
-  double spin = 0.0;           // rad/s
-  std::size_t material = 0;    // index into Scene::materials
-  double thickness = 1.0;      // m, out of plane
-  std::optional<double> mass;  // kg; instead of density x area x thickness
+  Vec2 position;                // m, of the centroid
+  double angle = 0.0;           // rad
+  Vec2 velocity;                // m/s
+  double spin = 0.0;            // rad/s
+  std::size_t material = 0;     // index into Scene::materials
+  double thickness = 1.0;       // m, out of plane
+  std::optional<double> mass;   // kg; instead of density x area x thickness
+  double charge = 0.0;          // C
+  double linear_drag = 0.0;     // N s/m, force -c v at the centroid
+  double quadratic_drag = 0.0;  // N s2/m2, force -c |v| v
 };
 
 struct Terrain {
@@ -45,10 +49,31 @@ struct ContactOptions {
   std::optional<double> tangential_ratio;
 };
 
+/// What bodies do to each other at a distance. A constant of zero leaves the field out.
+struct Fields {
+  double gravitational_constant = 0.0;  // m3/(kg s2): -G m_i m_j / sqrt(r2 + softening2) between all bodies
+  double coulomb_constant = 0.0;        // N m2/C2: k q_i q_j / sqrt(r2 + softening2)
+  double softening = 0.0;               // m
+  /// Opening angle of the Barnes-Hut tree (-): a cell of width w at distance d counts as one when w < angle
+  /// d.
+  double opening_angle = 0.0;  // 0: direct sum
+  Vec2 electric_field;         // V/m, uniform
+};
+
+/// What two materials do together, instead of the rule for any two (engine/material.h).
+struct MaterialPair {
+  std::size_t a = 0, b = 0;
+  std::optional<double> friction_coefficient, damping_ratio;
+};
+
 struct Scene {
   std::vector<Material> materials{Material{}};
+  std::vector<MaterialPair> material_pairs;
   std::vector<Body> bodies;
   std::vector<Terrain> terrains;
+  std::vector<Joint> joints;
+  std::vector<Bond> bonds;
+  Fields fields;
   Vec2 gravity{0.0, -standard_gravity};  // m/s2
   ContactOptions contact;
 };

@@ -32,7 +32,36 @@ class ConvexPolygon {
   std::vector<Vec2> normals_;
 };
 
-using Shape = std::variant<Circle, ConvexPolygon>;
+/// All that lies below y = 0 of its frame. Terrain only.
+struct HalfPlane {};
+
+struct Part;
+/// Circles and polygons that move as one; the centroid of them all is the origin of its frame. Edges that
+/// lie on an edge of another part are inner edges: nothing touches them.
+struct Compound {
+  std::vector<Part> parts;
+};
+
+using Shape = std::variant<Circle, ConvexPolygon, HalfPlane, Compound>;
+
+struct Part {
+  std::variant<Circle, ConvexPolygon> shape;
+  Vec2 position;       // m, of the part's centroid in the compound's frame
+  double angle = 0.0;  // rad
+};
+
+/// A compound moved to its centroid frame, and where that centroid was.
+struct PlacedCompound {
+  Compound compound;
+  Vec2 centroid;
+};
+
+/// Throws std::invalid_argument with the reason for no parts, or parts that overlap (their mass would count
+/// twice).
+PlacedCompound make_compound(std::vector<Part> parts);
+/// Ground under a line of points from left to right, `depth` thick: one quadrilateral under each segment.
+/// Throws std::invalid_argument for fewer than two points, or points that do not go to the right.
+PlacedCompound make_polyline_ground(std::span<const Vec2> points, double depth);
 
 /// A polygon moved to its centroid frame, and where that centroid was.
 struct PlacedPolygon {
