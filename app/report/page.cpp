@@ -12,13 +12,11 @@ struct Part {
   const char* id;
   const char* title;
   Html body;
-  bool new_page;
 };
 
 Html section(const Part& part) {
-  const std::string start =
-      std::string("<section id=\"") + part.id + "\"" + (part.new_page ? "" : " class=\"flow\"") + ">\n";
-  return raw(start) + heading2(part.title) + part.body + raw("</section>\n");
+  return raw(std::string("<section id=\"") + part.id + "\">\n") + heading2(part.title) + part.body +
+         raw("</section>\n");
 }
 
 Html contents(const std::vector<Part>& parts) {
@@ -48,14 +46,14 @@ Html figure_named(const std::vector<Picture>& pictures, std::string_view name, s
 }
 
 std::string report_page(const RunResult& run, const std::vector<Picture>& pictures) {
-  const std::vector<Part> parts{{"model", "The building", page_model(run, pictures), true},
-                                {"motion", "The ground motion", page_motion(run, pictures), true},
-                                {"response", "The response", page_response(run, pictures), true},
-                                {"energy", "Energy balance", page_energy(run, pictures), true},
-                                {"film", "What it looked like", page_film(run, pictures), true},
-                                {"numerics", "Numerical quality", page_numerics(run, pictures), true},
-                                {"limits", "What was modelled and what was not", page_limits(run), false},
-                                {"reproduce", "To reproduce this run", page_reproducibility(run), false}};
+  const std::vector<Part> parts{{"model", "The building", page_model(run, pictures)},
+                                {"motion", "The ground motion", page_motion(run, pictures)},
+                                {"response", "The response", page_response(run, pictures)},
+                                {"energy", "Energy balance", page_energy(run, pictures)},
+                                {"film", "What it looked like", page_film(run, pictures)},
+                                {"numerics", "Numerical quality", page_numerics(run, pictures)},
+                                {"limits", "What was modelled and what was not", page_limits(run)},
+                                {"reproduce", "To reproduce this run", page_reproducibility(run)}};
   Html page = head(run) + page_answer(run, pictures) + contents(parts);
   for (const Part& part : parts) page += section(part);
   return (page + raw("</main>\n</body>\n</html>\n")).code;
