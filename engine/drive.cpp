@@ -38,7 +38,7 @@ Intervals choose_intervals(double knot, double output) {
 }
 
 double bound_of(const AnyIntegrator& integrator, const SpectralBound& spectrum) {
-  if (spectrum.stiffness <= 0.0) return no_bound;
+  if (spectrum.stiffness <= 0.0 && spectrum.damping <= 0.0) return no_bound;
   return std::visit([&](const auto& i) { return i.stable_step(spectrum.stiffness, spectrum.damping); },
                     integrator);
 }

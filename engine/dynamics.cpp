@@ -12,7 +12,8 @@ Dynamics::Dynamics(const Model& model, State& state, bool terrain_held_still, do
       local_damping_(local_damping),
       frames_(model.size()),
       forces_(model.size()),
-      torques_(model.size()) {}
+      torques_(model.size()),
+      field_forces_(model.fields.empty() ? 0 : model.body_count) {}
 
 Powers Dynamics::accelerate(double t, std::span<const double> q, std::span<const double> v,
                             std::span<double> a, bool begins_step) {
@@ -27,12 +28,26 @@ Powers Dynamics::accelerate(double t, std::span<const double> q, std::span<const
     a[n + i] = forces_[i].y / model_.mass[i] + model_.gravity.y;
     a[2 * n + i] = torques_[i] / model_.inertia[i];
   }
+  const double drag_power = field_forces_.empty() ? 0.0 : add_fields(a);
   if (local_damping_ > 0.0) damp_locally(v, a);
   if (begins_step) {
     note_deepest(t, totals);
-    work_ = {{terrain_work(), totals.damping_work, totals.tangential_work}};
+    const double drag_work = drag_work_.since_last(model_.fields.drag, frames_);
+    work_ = {{terrain_work(), totals.damping_work + drag_work, totals.tangential_work}};
   }
-  return terrain_power(totals);
+  return terrain_power(totals) + Powers{{0.0, drag_power, 0.0}};
+}
+
+// Returns the power that drag takes.
+double Dynamics::add_fields(std::span<double> a) {
+  std::fill(field_forces_.begin(), field_forces_.end(), Vec2{});
+  const double drag_power = add_field_forces(model_.fields, frames_, field_tree_, field_forces_);
+  const std::size_t n = model_.body_count;
+  for (std::size_t i = 0; i < n; ++i) {
+    a[i] += field_forces_[i].x / model_.mass[i];
+    a[n + i] += field_forces_[i].y / model_.mass[i];
+  }
+  return drag_power;
 }
 
 void Dynamics::damp_locally(std::span<const double> v, std::span<double> a) const {

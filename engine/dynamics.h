@@ -1,6 +1,7 @@
-// The equations of motion of a scene: M q'' = gravity + contact, as an integrator sees them.
+// The equations of motion of a scene: M q'' = gravity + contact + fields, as an integrator sees them.
 #pragma once
 
+#include "engine/fields/fields.h"
 #include "engine/integrators/integrator.h"
 #include "engine/state.h"
 
@@ -25,6 +26,7 @@ class Dynamics {
   Vec2 terrain_reaction() const;
 
  private:
+  double add_fields(std::span<double> a);
   void damp_locally(std::span<const double> v, std::span<double> a) const;
   Powers terrain_power(const ContactTotals& totals) const;
   double terrain_work();
@@ -38,6 +40,9 @@ class Dynamics {
   std::vector<PointLoad> loads_;
   std::vector<Vec2> forces_;
   std::vector<double> torques_;
+  std::vector<Vec2> field_forces_;  // N; empty without fields
+  Tree field_tree_;
+  DragWork drag_work_;
   struct TerrainPast {
     Vec2 force, position;  // N on the bodies, m
   };

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/fields/fields.h"
+
 namespace dougong::engine {
 namespace {
 
@@ -24,7 +26,9 @@ Energies energies_of(const Model& model, const State& state) {
     e.kinetic += 0.5 * model.inertia[i] * v[2 * n + i] * v[2 * n + i];
     e.gravity -= model.mass[i] * (model.gravity.x * q[i] + model.gravity.y * q[n + i]);
   }
-  const StoredEnergy stored = stored_energy(state.contacts.points, frames_of(model, state));
+  const auto frames = frames_of(model, state);
+  if (!model.fields.empty()) e.field = field_energy(model.fields, frames);
+  const StoredEnergy stored = stored_energy(state.contacts.points, frames);
   e.elastic = stored.normal + stored.tangential;
   e.input = state.work.input;
   e.damping = state.work.damping;
@@ -37,13 +41,15 @@ void EnergyTurnover::note(const Energies& energies) {
   started_ = true;
   error_ = energies.balance() - first_.balance();
   largest_error_ = std::max(largest_error_, std::abs(error_));
-  turnover_ = std::max(turnover_, std::abs(energies.input) + given(first_.gravity, energies.gravity) +
-                                      given(first_.elastic, energies.elastic) +
-                                      given(first_.kinetic, energies.kinetic));
+  turnover_ =
+      std::max(turnover_, std::abs(energies.input) + given(first_.gravity, energies.gravity) +
+                              given(first_.field, energies.field) + given(first_.elastic, energies.elastic) +
+                              given(first_.kinetic, energies.kinetic));
 }
 
 double EnergyTurnover::relative_error() const {
-  const double scale = std::max(turnover_, energy_at_rest * (first_.elastic + first_.kinetic));
+  const double scale =
+      std::max({turnover_, energy_at_rest * (first_.elastic + first_.kinetic), std::abs(first_.field)});
   return scale > 0.0 ? largest_error_ / scale : 0.0;
 }
 

@@ -58,6 +58,7 @@ void add_body(Model& model, const Scene& scene, const Body& body) {
     properties.mass = *body.mass;
   }
   model.thickness.push_back(body.thickness);
+  model.touchable.push_back(body.collides);
   model.mass.push_back(properties.mass);
   model.inertia.push_back(properties.inertia);
 }
@@ -65,6 +66,7 @@ void add_body(Model& model, const Scene& scene, const Body& body) {
 void add_terrain(Model& model, const Scene& scene, const Terrain& terrain) {
   require_finite(terrain.position, terrain.angle, terrain.name);
   add_common(model, terrain.name, terrain.shape, checked_material(scene, terrain.material, terrain.name));
+  model.touchable.push_back(true);
   model.thickness.push_back(infinity);
   model.mass.push_back(infinity);
   model.inertia.push_back(infinity);
@@ -80,6 +82,12 @@ Vec2 mean_position(const std::vector<Body>& bodies) {
 }
 
 }  // namespace
+
+bool Model::has_contacts() const {
+  const auto count = std::count(touchable.begin(), touchable.end(), true);
+  const auto bodies = touchable.begin() + static_cast<std::ptrdiff_t>(body_count);
+  return count > 1 && std::count(touchable.begin(), bodies, true) > 0;
+}
 
 double Model::total_mass() const {
   double sum = 0.0;
@@ -104,6 +112,7 @@ Model compile(const Scene& scene) {
   model.gravity = scene.gravity;
   model.contact = scene.contact;
   for (const Body& body : scene.bodies) add_body(model, scene, body);
+  model.fields = compile_fields(scene, model.mass);
   for (const Terrain& terrain : scene.terrains) add_terrain(model, scene, terrain);
   return model;
 }

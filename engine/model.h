@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/fields/field_terms.h"
 #include "engine/scene.h"
 
 namespace dougong::engine {
@@ -25,6 +26,7 @@ struct Model {
   Vec2 origin;   // m
   Vec2 gravity;  // m/s2
   ContactOptions contact;
+  FieldTerms fields;
 
   std::vector<std::string> names;
   std::vector<Shape> shapes;
@@ -33,18 +35,21 @@ struct Model {
   std::vector<double> mass, inertia;    // kg, kg m2; of terrain, infinity
   std::vector<double> bounding_radius;  // m
   std::vector<double> minimum_width;    // m
+  std::vector<char> touchable;          // whether it can touch anything
 
   std::vector<Vec2> terrain_position;  // m, relative to origin, at zero displacement
   std::vector<double> terrain_angle;   // rad
   std::vector<std::shared_ptr<const PrescribedMotion>> motions;  // null: fixed
 
+  /// Whether any two of its bodies and terrains can touch.
+  bool has_contacts() const;
   double total_mass() const;
   /// Smallest knot interval of the motions (s); 0 when all are smooth.
   double knot_interval() const;
 };
 
 /// Throws std::invalid_argument, naming the body, for a mass, stiffness or size that is not positive
-/// and finite, or a material that does not exist.
+/// and finite, a charge that is not finite, or a material that does not exist.
 Model compile(const Scene& scene);
 
 }  // namespace dougong::engine

@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include "engine/fields/fields.h"
+
 namespace dougong::engine {
 namespace {
 
@@ -90,7 +92,11 @@ SpectralBound spectral_bound(const Model& model, const State& state, std::span<c
     stiffness.end_pair();
     damping.end_pair();
   }
-  return {stiffness.largest(), damping.largest()};
+  SpectralBound bound{stiffness.largest(), damping.largest()};
+  if (model.fields.empty()) return bound;
+  // The largest eigenvalue of a sum is at most the sum of the largest.
+  const FieldRates fields = field_rates(model.fields, model.mass, frames);
+  return {bound.stiffness + fields.stiffness, bound.damping + fields.damping};
 }
 
 }  // namespace dougong::engine

@@ -63,6 +63,7 @@ double fastest_rim(const Model& model, std::span<const Frame> frames) {
   const Vec2 common = common_velocity(model, frames);
   double fastest = 0.0;
   for (std::size_t i = 0; i < model.size(); ++i) {
+    if (!model.touchable[i]) continue;
     const Vec2 v = frames[i].velocity() - common;
     fastest = std::max(fastest,
                        std::abs(v.x) + std::abs(v.y) + model.bounding_radius[i] * std::abs(frames[i].spin));
@@ -99,10 +100,16 @@ PointHistory history_with_slip(const ContactPoints& points, std::size_t i, std::
 }  // namespace
 
 ContactSet::ContactSet(const Model& model) {
-  if (model.body_count == 0) return;
-  skin_ = skin_ratio * median({model.minimum_width.begin(),
-                               model.minimum_width.begin() + static_cast<std::ptrdiff_t>(model.body_count)});
-  smallest_margin_ = margin_ratio * *std::min_element(model.minimum_width.begin(), model.minimum_width.end());
+  if (!model.has_contacts()) return;
+  std::vector<double> body_widths;
+  double smallest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < model.size(); ++i) {
+    if (!model.touchable[i]) continue;
+    smallest = std::min(smallest, model.minimum_width[i]);
+    if (i < model.body_count) body_widths.push_back(model.minimum_width[i]);
+  }
+  skin_ = skin_ratio * median(std::move(body_widths));
+  smallest_margin_ = margin_ratio * smallest;
   skin_ = std::max(skin_, 4.0 * smallest_margin_);
 }
 
@@ -110,6 +117,7 @@ bool ContactSet::moved_beyond_skin(const Model& model, std::span<const Frame> fr
   if (skin_position_.size() != model.size()) return true;
   const Vec2 common = common_position(model, frames);
   for (std::size_t i = 0; i < model.size(); ++i) {
+    if (!model.touchable[i]) continue;
     const Vec2 d = frames[i].position() - common - skin_position_[i];
     const double turn = model.bounding_radius[i] * std::abs(frames[i].angle - skin_angle_[i]);
     // A quarter of the skin: the other half of the half is for the steps until the next look.
@@ -122,6 +130,7 @@ void ContactSet::rebuild_pairs(const Model& model, std::span<const Frame> frames
   std::vector<ContactPair> pairs;
   auto old = pairs_.begin();
   for (const BodyPair bodies : find_pairs(model, frames, skin_)) {
+    if (!model.touchable[bodies.a] || !model.touchable[bodies.b]) continue;
     while (old != pairs_.end() && old->bodies < bodies) ++old;
     if (old != pairs_.end() && old->bodies == bodies) {
       pairs.push_back(*old);
@@ -240,7 +249,7 @@ void ContactSet::index_bodies(std::size_t bodies) {
 }
 
 bool ContactSet::update(const Model& model, std::span<const Frame> frames) {
-  if (model.body_count == 0) return false;
+  if (!model.has_contacts()) return false;
   bool activity_changed = false, changed = false;
   if (moved_beyond_skin(model, frames)) {
     const std::size_t before = points.size();
@@ -264,7 +273,7 @@ bool ContactSet::update(const Model& model, std::span<const Frame> frames) {
 
 double ContactSet::longest_step(const Model& model, std::span<const Frame> frames) const {
   const double fastest = fastest_rim(model, frames);
-  if (model.size() < 2 || fastest == 0.0) return std::numeric_limits<double>::infinity();
+  if (!model.has_contacts() || fastest == 0.0) return std::numeric_limits<double>::infinity();
   return (pairs_.empty() ? skin_travel * skin_ : margin_travel * smallest_margin_) / fastest;
 }
 
