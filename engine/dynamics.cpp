@@ -13,10 +13,24 @@ Dynamics::Dynamics(const Model& model, State& state, bool terrain_held_still, do
       frames_(model.size()),
       forces_(model.size()),
       torques_(model.size()),
-      field_forces_(model.fields.empty() ? 0 : model.body_count) {}
+      field_forces_(model.fields.empty() ? 0 : model.body_count) {
+  measure_scene();
+}
+
+void Dynamics::measure_scene() {
+  const std::size_t n = model_.body_count;
+  levers_.assign(3 * n, 1.0);
+  for (std::size_t i = 0; i < n; ++i) {
+    levers_[2 * n + i] = model_.bounding_radius[i];
+    const Vec2 p{state_.q()[i], state_.q()[n + i]};
+    length_ = std::max(length_, norm(p) + model_.bounding_radius[i]);
+  }
+  fall_speed_ = std::sqrt(norm(model_.gravity) * length_);
+}
 
 Powers Dynamics::accelerate(double t, std::span<const double> q, std::span<const double> v,
                             std::span<double> a, bool begins_step) {
+  ++evaluations_;
   place_bodies(model_, q, v, frames_);
   place_terrains(model_, t, terrain_held_still_, frames_);
   loads_.resize(state_.contacts.points.size());

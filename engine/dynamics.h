@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/fields/fields.h"
+#include "engine/integrators/error_control.h"
 #include "engine/integrators/integrator.h"
 #include "engine/state.h"
 
@@ -22,10 +23,21 @@ class Dynamics {
   /// Work between the last two accepted steps' poses: the trapezoidal rule on the forces along the
   /// displacements.
   Powers work() const { return work_; }
+  /// Friction: what a step begins with changes what comes after.
+  bool has_memory() const { return state_.contacts.points.size() > 0; }
+  /// The scene's extent at the start, the speed of a fall through it, and the bodies' radii as levers.
+  Scales scales() const { return {length_, fall_speed_, levers_}; }
+  std::size_t event_count() const { return 2 * state_.contacts.points.size(); }
+  /// Of the contacts at the last evaluated state (contact_events).
+  void events(std::span<double> values, bool at_start) const {
+    contact_events(state_.contacts.points, frames_, at_start, values);
+  }
+  std::size_t evaluations() const { return evaluations_; }
   /// Force of the terrains on the bodies at the last evaluation (N).
   Vec2 terrain_reaction() const;
 
  private:
+  void measure_scene();
   double add_fields(std::span<double> a);
   void damp_locally(std::span<const double> v, std::span<double> a) const;
   Powers terrain_power(const ContactTotals& totals) const;
@@ -48,6 +60,9 @@ class Dynamics {
   };
   std::vector<TerrainPast> terrain_past_;  // at the last accepted step
   Powers work_;
+  double length_ = 0.0, fall_speed_ = 0.0;  // m, m/s
+  std::vector<double> levers_;              // -, -, m
+  std::size_t evaluations_ = 0;
 };
 
 }  // namespace dougong::engine

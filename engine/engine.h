@@ -13,8 +13,9 @@
 #include "engine/drive.h"                   // time, step, health, output
 #include "engine/dynamics.h"                // equations of motion
 #include "engine/energy.h"                  // the energy ledger
+#include "engine/fields/fields.h"           // gravitation, charges, drag
 #include "engine/frame.h"                   // poses and velocities at one moment
-#include "engine/integrators/table.h"       // velocity Verlet, symplectic Euler, RK4
+#include "engine/integrators/table.h"       // how the motion is integrated
 #include "engine/material.h"                // materials
 #include "engine/model.h"                   // the compiled scene
 #include "engine/modes.h"                   // small vibrations

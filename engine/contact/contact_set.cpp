@@ -71,6 +71,12 @@ double fastest_rim(const Model& model, std::span<const Frame> frames) {
   return fastest;
 }
 
+// Time in which what moves at `speed` and falls freely besides goes `way` (s).
+double time_to_go(const Model& model, double way, double speed) {
+  const double root = std::sqrt(speed * speed + 2.0 * norm(model.gravity) * way);
+  return speed + root > 0.0 ? 2.0 * way / (speed + root) : std::numeric_limits<double>::infinity();
+}
+
 bool same_features(const Manifold& a, const Manifold& b) {
   if (a.count != b.count) return false;
   for (Index i = 0; i < a.count; ++i)
@@ -273,16 +279,16 @@ bool ContactSet::update(const Model& model, std::span<const Frame> frames) {
 
 double ContactSet::longest_step(const Model& model, std::span<const Frame> frames) const {
   const double fastest = fastest_rim(model, frames);
-  if (!model.has_contacts() || fastest == 0.0) return std::numeric_limits<double>::infinity();
-  return (pairs_.empty() ? skin_travel * skin_ : margin_travel * smallest_margin_) / fastest;
+  if (!model.has_contacts()) return std::numeric_limits<double>::infinity();
+  return time_to_go(model, pairs_.empty() ? skin_travel * skin_ : margin_travel * smallest_margin_, fastest);
 }
 
 std::size_t ContactSet::steps_until_update(const Model& model, std::span<const Frame> frames,
                                            double h) const {
   const double allowed = 0.5 * refresh_ratio * smallest_margin_;
-  const double per_step = 2.0 * fastest_rim(model, frames) * h;
-  if (per_step * static_cast<double>(longest_wait) <= allowed) return longest_wait;
-  return std::max<std::size_t>(1, static_cast<std::size_t>(allowed / per_step));
+  const double steps = time_to_go(model, 0.5 * allowed, fastest_rim(model, frames)) / h;
+  return std::max<std::size_t>(1,
+                               static_cast<std::size_t>(std::min(steps, static_cast<double>(longest_wait))));
 }
 
 void ContactSet::gather(std::span<const PointLoad> loads, std::span<Vec2> forces,

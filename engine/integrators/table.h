@@ -5,13 +5,19 @@
 #include <string>
 #include <variant>
 
+#include "engine/integrators/dormand_prince.h"
+#include "engine/integrators/explicit_euler.h"
+#include "engine/integrators/leapfrog.h"
+#include "engine/integrators/rk3.h"
 #include "engine/integrators/rk4.h"
+#include "engine/integrators/rk8.h"
 #include "engine/integrators/symplectic_euler.h"
 #include "engine/integrators/velocity_verlet.h"
 
 namespace dougong::engine {
 
-using AnyIntegrator = std::variant<VelocityVerlet, SymplecticEuler, Rk4>;
+using AnyIntegrator =
+    std::variant<VelocityVerlet, SymplecticEuler, Leapfrog, ExplicitEuler, Rk3, Rk4, DormandPrince, Rk8>;
 
 namespace detail {
 template <std::size_t I = 0>

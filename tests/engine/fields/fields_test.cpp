@@ -192,10 +192,12 @@ TEST(FieldBound, CountsDragAtTheSpeedOfNow) {
 // angular momentum only to its order.
 TEST(IsolatedCluster, KeepsItsMomentumAboutAnyPoint) {
   Scene s = cloud(12, 3);
-  s.materials[0].young_modulus = 1e4, s.materials[0].density = 100.0;
-  for (Body& body : s.bodies) {
-    body.shape = make_circle(0.1), body.collides = true;
-    body.position = 4.0 * body.position, body.mass.reset();
+  s.materials[0].young_modulus = 1e6, s.materials[0].density = 100.0;
+  for (std::size_t i = 0; i < 12; ++i) {
+    Body& body = s.bodies[i];
+    body.shape = make_circle(0.1), body.collides = true, body.mass.reset();
+    body.position =
+        Vec2{0.8 * static_cast<double>(i % 4), 0.8 * static_cast<double>(i / 4)} + 0.2 * body.position;
   }
   s.fields = {1.0, 1.0, 0.05, 0.0, {}};
   for (const char* integrator : {"velocity-verlet", "symplectic-euler", "rk4"}) {
