@@ -169,6 +169,14 @@ class Runner {
     return factor;
   }
 
+  // Whether bodies have become so fast since the interval began that the step is too long for them. It may
+  // be half as long again as longest_step() says: that leaves the bodies less than the margin.
+  bool runs_away(std::span<const Frame> frames) {
+    travel_ = state_.contacts.longest_step(model_, frames);
+    return intervals_.base / static_cast<double>(divisions_) > 1.5 * travel_;
+  }
+
+  // Returns whether the step may have to change.
   bool update_contacts() {
     const auto frames = frames_of(model_, state_, options_.terrain_held_still);
     const bool changed = state_.contacts.update(model_, frames);
@@ -177,7 +185,7 @@ class Runner {
     // Many evaluations a step: looking at the contacts before each costs little.
     if (adaptive_) countdown_ = 1;
     if (changed) restart();
-    return changed;
+    return changed || runs_away(frames);
   }
 
   void restart() {

@@ -3,8 +3,8 @@
 //
 // Order 1, one evaluation. |1 + lambda h| > 1 for every undamped vibration: its limit is 0, and drive()
 // refuses it there. A damped one, lambda = (-c +- sqrt(c^2 - 4 w2))/2, is stable for h < c/w2 (c^2 < 4 w2)
-// and h < 2/|lambda| (else). For modes damped in proportion to their stiffness, as by contacts, c/w2 is the
-// same for all; a mode with less damping still grows.
+// and h < 2/|lambda| (else); 2/c suits every softer mode of that damping. For modes damped in proportion to
+// their stiffness, as by contacts, c/w2 is the same for all; a mode with less damping still grows.
 // Euler, Institutionum calculi integralis (1768), vol. 1, par. 650.
 #pragma once
 
@@ -21,7 +21,7 @@ class ExplicitEuler {
 
   static double stable_step(double w2, double c) {
     if (w2 == 0.0) return c == 0.0 ? std::numeric_limits<double>::infinity() : 2.0 / c;
-    return c * c < 4.0 * w2 ? c / w2 : 4.0 / (c + std::sqrt(c * c - 4.0 * w2));
+    return c * c < 2.0 * w2 ? c / w2 : 2.0 / c;
   }
 
   template <SecondOrderSystem S>
