@@ -3,6 +3,7 @@
 //   Scene -> compile -> Model;  initial_state -> State;  settle;  drive(Model, State, options, observer)
 #pragma once
 
+#include "engine/accuracy.h"                // draft, standard, reference
 #include "engine/collision/broad_phase.h"   // which pairs can meet
 #include "engine/collision/manifold.h"      // where two shapes can touch
 #include "engine/collision/separation.h"    // separating axes

@@ -17,7 +17,7 @@
 namespace dougong::engine {
 
 using AnyIntegrator =
-    std::variant<VelocityVerlet, SymplecticEuler, Leapfrog, ExplicitEuler, Rk3, Rk4, DormandPrince, Rk8>;
+    std::variant<VelocityVerlet, SymplecticEuler, Leapfrog, Rk4, Rk3, ExplicitEuler, DormandPrince, Rk8>;
 
 namespace detail {
 template <std::size_t I = 0>
@@ -35,6 +35,11 @@ AnyIntegrator integrator_named(std::string_view name, std::string known) {
 /// Throws std::invalid_argument, naming the known ones.
 inline AnyIntegrator make_integrator(std::string_view name) {
   return detail::integrator_named(name, "");
+}
+
+/// Throws as make_integrator().
+inline IntegratorTraits traits_of(std::string_view name) {
+  return std::visit([](const auto& i) -> IntegratorTraits { return i.traits; }, make_integrator(name));
 }
 
 }  // namespace dougong::engine
