@@ -5,13 +5,6 @@
 namespace dougong::engine {
 namespace {
 
-// Below this number of bodies a tree costs more than it saves (about 1.0 at angle 0.5, measured).
-constexpr std::size_t smallest_tree = 64;
-
-bool by_tree(const PairField& field) {
-  return field.opening_angle > 0.0 && field.bodies.size() >= smallest_tree;
-}
-
 struct Pair {
   Vec2 d;              // m, from i to j
   double inverse = 0;  // 1/m, of s
@@ -97,9 +90,13 @@ double tree_stiffness(const PairField& field, std::span<const double> mass, std:
 
 }  // namespace
 
+bool uses_tree(const PairField& field) {
+  return field.opening_angle > 0.0 && field.bodies.size() >= smallest_tree;
+}
+
 void add_pair_forces(const PairField& field, std::span<const Frame> frames, Tree& scratch,
                      std::span<Vec2> forces) {
-  if (!by_tree(field)) return add_direct_forces(field, frames, forces);
+  if (!uses_tree(field)) return add_direct_forces(field, frames, forces);
   scratch.build(field, frames);
   for (std::size_t a = 0; a < field.bodies.size(); ++a)
     forces[field.bodies[a]] +=
@@ -108,7 +105,7 @@ void add_pair_forces(const PairField& field, std::span<const Frame> frames, Tree
 
 double pair_energy(const PairField& field, std::span<const Frame> frames, Tree& scratch) {
   double energy = 0.0;
-  if (by_tree(field)) {
+  if (uses_tree(field)) {
     scratch.build(field, frames);
     for (std::size_t a = 0; a < field.bodies.size(); ++a)
       energy += 0.5 * field.weight[a] * sum_by_tree(field, frames, scratch, a).potential;
@@ -123,7 +120,7 @@ double pair_energy(const PairField& field, std::span<const Frame> frames, Tree& 
 
 double pair_stiffness(const PairField& field, std::span<const double> mass, std::span<const Frame> frames,
                       Tree& scratch) {
-  if (!by_tree(field)) return direct_stiffness(field, mass, frames);
+  if (!uses_tree(field)) return direct_stiffness(field, mass, frames);
   scratch.build(field, frames);
   return tree_stiffness(field, mass, frames, scratch);
 }

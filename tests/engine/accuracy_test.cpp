@@ -40,7 +40,7 @@ TEST(Accuracy, OfASmoothSceneIsATolerance) {
 }
 
 TEST(Accuracy, OfATreeIsAFixedStep) {
-  Scene s = scenes::cloud(100);
+  Scene s = scenes::cloud(600);
   s.fields.gravitational_constant = 1.0, s.fields.opening_angle = 0.5;
   const Model cloud = compile(s);
   double before = 1.0;

@@ -80,12 +80,12 @@ TEST(FieldForces, AreNewtonsCoulombsAndTheUniformFields) {
 
 TEST(FieldForces, AreMinusTheGradientOfTheEnergy) {
   for (const double angle : {0.0, 0.4}) {
-    Scene s = cloud(80);
+    Scene s = cloud(600);
     s.fields = {0.7, 1.3, 0.05, angle, {3.0, -1.0}};
     Running r(s);
     const auto f = forces_of(r);
     const double h = 1e-5;
-    for (const std::size_t i : {0u, 17u, 79u})
+    for (const std::size_t i : {0u, 17u, 599u})
       for (const std::size_t axis : {0u, 1u}) {
         double& q = r.state.q()[axis * r.bodies() + i];
         const double at = q;
@@ -152,7 +152,7 @@ TEST(Tree, IsTheDirectSumForFewBodies) {
 }
 
 TEST(Tree, TakesManyBodiesAtOnePlace) {
-  Scene s = cloud(100);
+  Scene s = cloud(600);
   for (Body& body : s.bodies) body.position = {0.5, 0.5};
   s.bodies[0].position = {3.0, 0.5};
   s.fields = {1.0, 0.0, 0.1, 0.5, {}};
@@ -162,7 +162,7 @@ TEST(Tree, TakesManyBodiesAtOnePlace) {
 }
 
 TEST(Tree, GivesTheSameBitsTwice) {
-  Scene s = cloud(300);
+  Scene s = cloud(600);
   s.fields = {1.0, 1.0, 0.01, 0.5, {}};
   const auto a = forces_of(Running(s)), b = forces_of(Running(s));
   for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(a[i], b[i]);
