@@ -10,6 +10,7 @@
 #include <gsl/gsl_odeiv2.h>
 
 #include <memory>
+#include <tuple>
 
 #include "engine/integrators/adaptive.h"
 
@@ -62,7 +63,7 @@ class PrinceDormandPair {
   std::span<const double> error_v() const { return {error_.data() + n_, n_}; }
 
  private:
-  static constexpr std::ptrdiff_t works = 3;
+  static constexpr std::ptrdiff_t works = std::tuple_size_v<decltype(Powers::values)>;
 
   template <class S>
   struct Call {
