@@ -18,6 +18,8 @@ void check_options(const DriveOptions& options) {
   if (!(options.output_interval > 0.0)) throw std::invalid_argument("output interval must be positive");
   if (!(options.step_fraction > 0.0 && options.step_fraction < 1.0))
     throw std::invalid_argument("step fraction must lie between 0 and 1");
+  if (!(options.tolerance >= 1e-15 && options.tolerance <= 0.1))
+    throw std::invalid_argument("tolerance must lie between 1e-15 and 0.1");
   if (options.step && !(*options.step > 0.0)) throw std::invalid_argument("step must be positive");
 }
 
@@ -38,7 +40,7 @@ Intervals choose_intervals(double knot, double output) {
 }
 
 double bound_of(const AnyIntegrator& integrator, const SpectralBound& spectrum) {
-  if (spectrum.stiffness <= 0.0) return no_bound;
+  if (spectrum.stiffness <= 0.0 && spectrum.damping <= 0.0) return no_bound;
   return std::visit([&](const auto& i) { return i.stable_step(spectrum.stiffness, spectrum.damping); },
                     integrator);
 }
@@ -60,10 +62,18 @@ class Runner {
         accelerations_(3 * model.body_count),
         broken_(state.bonds.broken),
         intervals_(choose_intervals(options.terrain_held_still ? 0.0 : model.knot_interval(),
-                                    options.output_interval)) {}
+                                    options.output_interval)) {
+    std::visit(
+        [&]<class I>(I& i) {
+          adaptive_ = I::traits.adaptive, name_ = I::traits.name;
+          if constexpr (I::traits.adaptive) i.set_tolerance(options.tolerance);
+        },
+        integrator_);
+  }
 
   StepPlan plan() {
     refresh_bound();
+    if (bound_ == 0.0) return {intervals_.base, intervals_.output, 0.0, 0.0};
     divisions_ = steps_per_interval(intervals_.base, largest_step());
     return {intervals_.base, intervals_.output, intervals_.base / static_cast<double>(divisions_), bound_};
   }
@@ -74,6 +84,7 @@ class Runner {
     outcome_.step = outcome_.smallest_step = start.step;
     outcome_.bound = start.bound;
     outcome_.output_interval = start.output_interval;
+    if (bound_ == 0.0) return end(Outcome::step_too_large, no_stable_step());
     if (options_.step && *options_.step > start.bound)
       return end(Outcome::step_too_large, "a step of " + std::to_string(*options_.step) +
                                               " s is above the stability bound of " +
@@ -83,7 +94,8 @@ class Runner {
     if (const Wish wish = sample(observe); wish != Wish::go_on) return end_as_wished(wish);
     const auto outputs = static_cast<std::size_t>(std::ceil(options_.end_time / intervals_.output - 1e-9));
     for (std::size_t output = 0; output < outputs; ++output) {
-      for (std::size_t k = 0; k < intervals_.bases_per_output; ++k) advance_interval();
+      for (std::size_t k = 0; k < intervals_.bases_per_output && bound_ > 0.0; ++k) advance_interval();
+      if (bound_ == 0.0) return end(Outcome::step_too_large, no_stable_step());
       if (const std::string trouble = health_problem(); !trouble.empty())
         return end(Outcome::diverged, trouble);
       if (const Wish wish = sample(observe); wish != Wish::go_on) return end_as_wished(wish);
@@ -92,20 +104,24 @@ class Runner {
   }
 
  private:
+  std::string no_stable_step() const {
+    return std::string(name_) + " has no stable step here: any undamped vibration grows under it";
+  }
+
   double largest_step() const {
     return std::min(options_.step ? *options_.step : options_.step_fraction * bound_, travel_);
   }
 
   void refresh_bound() {
     const auto frames = frames_of(model_, state_, options_.terrain_held_still);
-    bound_ = bound_of(integrator_, spectral_bound(model_, state_, frames));
+    if (!adaptive_) bound_ = bound_of(integrator_, spectral_bound(model_, state_, frames));
     travel_ = state_.contacts.longest_step(model_, frames);
   }
 
   // A base interval in `divisions_` equal steps; the number may double on the way.
   void advance_interval() {
     start_interval();
-    for (std::size_t j = 0; j < divisions_; ++j) {
+    for (std::size_t j = 0; j < divisions_ && bound_ > 0.0; ++j) {
       if (countdown_ == 0 && update_contacts()) j *= refine();
       const double h = intervals_.base / static_cast<double>(divisions_);
       state_.time =
@@ -121,6 +137,7 @@ class Runner {
   // The step that the contacts of now allow, unless the present one is about right.
   void start_interval() {
     refresh_bound();
+    if (bound_ == 0.0) return;
     const std::size_t wanted = steps_per_interval(intervals_.base, largest_step());
     const double h = intervals_.base / static_cast<double>(divisions_);
     if (h > tolerated_step() || 4 * wanted < 3 * divisions_) change_divisions(wanted);
@@ -138,12 +155,13 @@ class Runner {
     outcome_.smallest_step =
         std::min(outcome_.smallest_step, intervals_.base / static_cast<double>(divisions));
     countdown_ = 0;
-    restart();
+    if (!adaptive_) restart();  // an adaptive one keeps nothing that depends on this step
   }
 
   // Halves the step until it suits the contacts; returns the factor by which the divisions grew.
   std::size_t refine() {
     refresh_bound();
+    if (bound_ == 0.0) return 1;
     std::size_t factor = 1;
     while (intervals_.base / static_cast<double>(divisions_ * factor) > tolerated_step() && factor < 1024)
       factor *= 2;
@@ -152,13 +170,23 @@ class Runner {
     return factor;
   }
 
+  // Whether bodies have become so fast since the interval began that the step is too long for them. It may
+  // be half as long again as longest_step() says: that leaves the bodies less than the margin.
+  bool runs_away(std::span<const Frame> frames) {
+    travel_ = state_.contacts.longest_step(model_, frames);
+    return intervals_.base / static_cast<double>(divisions_) > 1.5 * travel_;
+  }
+
+  // Returns whether the step may have to change.
   bool update_contacts() {
     const auto frames = frames_of(model_, state_, options_.terrain_held_still);
     const bool changed = state_.contacts.update(model_, frames);
     countdown_ =
         state_.contacts.steps_until_update(model_, frames, intervals_.base / static_cast<double>(divisions_));
+    // Many evaluations a step: looking at the contacts before each costs little.
+    if (adaptive_) countdown_ = 1;
     if (changed) restart();
-    return changed;
+    return changed || runs_away(frames);
   }
 
   void restart() {
@@ -183,8 +211,18 @@ class Runner {
     countdown_ = 1;  // the step that ends now is counted yet
   }
 
+  std::string_view trouble() const {
+    return std::visit(
+        [](const auto& i) -> std::string_view {
+          if constexpr (requires { i.trouble(); }) return i.trouble();
+          return "";
+        },
+        integrator_);
+  }
+
   std::string health_problem() {
     const std::size_t n = model_.body_count;
+    if (!trouble().empty()) return std::string(name_) + ": " + std::string(trouble());
     for (std::size_t i = 0; i < state_.y.size(); ++i)
       if (!std::isfinite(state_.y[i])) return "the motion of " + model_.names[i % n] + " is not finite";
     if (state_.deepest_ratio > options_.largest_overlap_ratio)
@@ -213,6 +251,7 @@ class Runner {
     outcome_.outcome = outcome;
     outcome_.detail = detail;
     outcome_.end_time = state_.time;
+    outcome_.evaluations = dynamics_.evaluations();
     return outcome_;
   }
 
@@ -220,6 +259,8 @@ class Runner {
   State& state_;
   DriveOptions options_;
   AnyIntegrator integrator_;
+  bool adaptive_ = false;
+  std::string_view name_;
   Dynamics dynamics_;
   std::vector<double> accelerations_;
   std::size_t broken_;  // points of bonds

@@ -5,6 +5,8 @@
 // they are; it is checked again whenever contacts change and every base interval, and grows by halving
 // when a stiffer contact appears: counted, never silent. Fast
 // bodies shorten it too, so that a contact is found before it closes. Time is an integer number of intervals.
+// An adaptive integrator divides each step by its own error, so only fast bodies bound it; an integrator
+// whose bound is 0 is refused (step_too_large).
 #pragma once
 
 #include <functional>
@@ -21,10 +23,12 @@ std::string to_string(Outcome outcome);
 
 struct DriveOptions {
   std::string integrator = "velocity-verlet";
+  double tolerance = 1e-8;             // -, of an adaptive integrator, a sub-step (integrators/adaptive.h)
   double end_time = 0.0;               // s
   double output_interval = 0.01;       // s; rounded to the motion's knots
   double step_fraction = 0.5;          // of the stability bound, in (0, 1)
-  std::optional<double> step;          // s; instead of the fraction: refused above the bound
+  std::optional<double> step;          // s; instead of the fraction: refused above the bound. Of an adaptive
+                                       // integrator, the longest between two looks for contacts
   double largest_overlap_ratio = 0.2;  // over the smaller width: deeper has passed through, not touched
   double largest_energy_error = 0.5;   // of the energy turned over: more has been made out of nothing
   bool terrain_held_still = false;
@@ -52,6 +56,7 @@ struct RunOutcome {
   double output_interval = 0.0;  // s, as used
   std::size_t steps = 0;
   std::size_t step_reductions = 0;
+  std::size_t evaluations = 0;  // of the forces
 };
 
 /// What drive() would do: the step and bound it would start with. Throws std::invalid_argument for an

@@ -12,10 +12,25 @@ Dynamics::Dynamics(const Model& model, State& state, bool terrain_held_still, do
       local_damping_(local_damping),
       frames_(model.size()),
       forces_(model.size()),
-      torques_(model.size()) {}
+      torques_(model.size()),
+      field_forces_(model.fields.empty() ? 0 : model.body_count) {
+  measure_scene();
+}
+
+void Dynamics::measure_scene() {
+  const std::size_t n = model_.body_count;
+  levers_.assign(3 * n, 1.0);
+  for (std::size_t i = 0; i < n; ++i) {
+    levers_[2 * n + i] = model_.bounding_radius[i];
+    const Vec2 p{state_.q()[i], state_.q()[n + i]};
+    length_ = std::max(length_, norm(p) + model_.bounding_radius[i]);
+  }
+  fall_speed_ = std::sqrt(norm(model_.gravity) * length_);
+}
 
 Powers Dynamics::accelerate(double t, std::span<const double> q, std::span<const double> v,
                             std::span<double> a, bool begins_step) {
+  ++evaluations_;
   place_bodies(model_, q, v, frames_);
   place_terrains(model_, t, terrain_held_still_, frames_);
   loads_.resize(state_.contacts.points.size());
@@ -28,13 +43,15 @@ Powers Dynamics::accelerate(double t, std::span<const double> q, std::span<const
     a[n + i] = forces_[i].y / model_.mass[i] + model_.gravity.y;
     a[2 * n + i] = torques_[i] / model_.inertia[i];
   }
+  const double drag_power = field_forces_.empty() ? 0.0 : add_fields(a);
   if (local_damping_ > 0.0) damp_locally(v, a);
   if (begins_step) {
     note_deepest(t, totals);
-    work_ = {
-        {terrain_work(), totals.damping_work + links.damping_work, totals.tangential_work, links.bond_work}};
+    const double drag_work = drag_work_.since_last(model_.fields.drag, frames_);
+    work_ = {{terrain_work(), totals.damping_work + links.damping_work + drag_work, totals.tangential_work,
+              links.bond_work}};
   }
-  return {{terrain_power(), totals.damping_power + links.damping_power, totals.tangential_power,
+  return {{terrain_power(), totals.damping_power + links.damping_power + drag_power, totals.tangential_power,
            links.bond_power}};
 }
 
@@ -51,6 +68,18 @@ Dynamics::LinkTotals Dynamics::add_links(bool commit) {
     totals.bond_power = t.spring_power, totals.bond_work = t.spring_work;
   }
   return totals;
+}
+
+// Returns the power that drag takes.
+double Dynamics::add_fields(std::span<double> a) {
+  std::fill(field_forces_.begin(), field_forces_.end(), Vec2{});
+  const double drag_power = add_field_forces(model_.fields, frames_, field_tree_, field_forces_);
+  const std::size_t n = model_.body_count;
+  for (std::size_t i = 0; i < n; ++i) {
+    a[i] += field_forces_[i].x / model_.mass[i];
+    a[n + i] += field_forces_[i].y / model_.mass[i];
+  }
+  return drag_power;
 }
 
 void Dynamics::damp_locally(std::span<const double> v, std::span<double> a) const {

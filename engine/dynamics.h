@@ -1,6 +1,9 @@
-// The equations of motion of a scene: M q'' = gravity + contact + joints + bonds, as an integrator sees them.
+// The equations of motion of a scene: M q'' = gravity + contact + joints + bonds + fields, as an integrator
+// sees them.
 #pragma once
 
+#include "engine/fields/fields.h"
+#include "engine/integrators/error_control.h"
 #include "engine/integrators/integrator.h"
 #include "engine/state.h"
 
@@ -21,10 +24,22 @@ class Dynamics {
   /// Work between the last two accepted steps' poses: the trapezoidal rule on the forces along the
   /// displacements.
   Powers work() const { return work_; }
+  /// Friction: what a step begins with changes what comes after.
+  bool has_memory() const { return state_.contacts.points.size() > 0; }
+  /// The scene's extent at the start, the speed of a fall through it, and the bodies' radii as levers.
+  Scales scales() const { return {length_, fall_speed_, levers_}; }
+  std::size_t event_count() const { return 2 * state_.contacts.points.size(); }
+  /// Of the contacts at the last evaluated state (contact_events).
+  void events(std::span<double> values, bool at_start) const {
+    contact_events(state_.contacts.points, frames_, at_start, values);
+  }
+  std::size_t evaluations() const { return evaluations_; }
   /// Force of the terrains on the bodies at the last evaluation (N).
   Vec2 terrain_reaction() const;
 
  private:
+  void measure_scene();
+  double add_fields(std::span<double> a);
   void damp_locally(std::span<const double> v, std::span<double> a) const;
   struct LinkTotals {
     double damping_power = 0.0, bond_power = 0.0;  // W
@@ -43,11 +58,17 @@ class Dynamics {
   std::vector<PointLoad> loads_;
   std::vector<Vec2> forces_;
   std::vector<double> torques_;
+  std::vector<Vec2> field_forces_;  // N; empty without fields
+  Tree field_tree_;
+  DragWork drag_work_;
   struct TerrainPast {
     Vec2 force, position;  // N on the bodies, m
   };
   std::vector<TerrainPast> terrain_past_;  // at the last accepted step
   Powers work_;
+  double length_ = 0.0, fall_speed_ = 0.0;  // m, m/s
+  std::vector<double> levers_;              // -, -, m
+  std::size_t evaluations_ = 0;
 };
 
 }  // namespace dougong::engine

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/fields/fields.h"
+
 namespace dougong::engine {
 namespace {
 
@@ -25,6 +27,7 @@ Energies energies_of(const Model& model, const State& state) {
     e.gravity -= model.mass[i] * (model.gravity.x * q[i] + model.gravity.y * q[n + i]);
   }
   const auto frames = frames_of(model, state);
+  if (!model.fields.empty()) e.field = field_energy(model.fields, frames);
   const StoredEnergy stored = stored_energy(state.contacts.points, frames);
   const double in_bonds = bond_energy(model, state.bonds, frames);
   e.elastic = stored.normal + stored.tangential + in_bonds + joint_energy(model, frames);
@@ -40,13 +43,15 @@ void EnergyTurnover::note(const Energies& energies) {
   started_ = true;
   error_ = energies.balance() - first_.balance();
   largest_error_ = std::max(largest_error_, std::abs(error_));
-  turnover_ = std::max(turnover_, std::abs(energies.input) + given(first_.gravity, energies.gravity) +
-                                      given(first_.elastic, energies.elastic) +
-                                      given(first_.kinetic, energies.kinetic));
+  turnover_ =
+      std::max(turnover_, std::abs(energies.input) + given(first_.gravity, energies.gravity) +
+                              given(first_.field, energies.field) + given(first_.elastic, energies.elastic) +
+                              given(first_.kinetic, energies.kinetic));
 }
 
 double EnergyTurnover::relative_error() const {
-  const double scale = std::max(turnover_, energy_at_rest * (first_.elastic + first_.kinetic));
+  const double scale =
+      std::max({turnover_, energy_at_rest * (first_.elastic + first_.kinetic), std::abs(first_.field)});
   return scale > 0.0 ? largest_error_ / scale : 0.0;
 }
 

@@ -3,6 +3,7 @@
 //   Scene -> compile -> Model;  initial_state -> State;  settle;  drive(Model, State, options, observer)
 #pragma once
 
+#include "engine/accuracy.h"                // draft, standard, reference
 #include "engine/collision/broad_phase.h"   // which pairs can meet
 #include "engine/collision/manifold.h"      // where two shapes can touch
 #include "engine/collision/separation.h"    // separating axes
@@ -13,8 +14,9 @@
 #include "engine/drive.h"                   // time, step, health, output
 #include "engine/dynamics.h"                // equations of motion
 #include "engine/energy.h"                  // the energy ledger
+#include "engine/fields/fields.h"           // gravitation, charges, drag
 #include "engine/frame.h"                   // poses and velocities at one moment
-#include "engine/integrators/table.h"       // velocity Verlet, symplectic Euler, RK4
+#include "engine/integrators/table.h"       // how the motion is integrated
 #include "engine/material.h"                // materials
 #include "engine/model.h"                   // the compiled scene
 #include "engine/modes.h"                   // small vibrations

@@ -67,6 +67,7 @@ void add_body(Model& model, const Scene& scene, const Body& body) {
     properties.mass = *body.mass;
   }
   model.thickness.push_back(body.thickness);
+  model.touchable.push_back(body.collides);
   model.mass.push_back(properties.mass);
   model.inertia.push_back(properties.inertia);
 }
@@ -74,6 +75,7 @@ void add_body(Model& model, const Scene& scene, const Body& body) {
 void add_terrain(Model& model, const Scene& scene, const Terrain& terrain) {
   require_finite(terrain.position, terrain.angle, terrain.name);
   add_common(model, scene, terrain.name, terrain.shape, terrain.material);
+  model.touchable.push_back(true);
   model.thickness.push_back(infinity);
   model.mass.push_back(infinity);
   model.inertia.push_back(infinity);
@@ -116,6 +118,12 @@ Vec2 mean_position(const std::vector<Body>& bodies) {
 
 }  // namespace
 
+bool Model::has_contacts() const {
+  const auto count = std::count(touchable.begin(), touchable.end(), true);
+  const auto bodies = touchable.begin() + static_cast<std::ptrdiff_t>(body_count);
+  return count > 1 && std::count(touchable.begin(), bodies, true) > 0;
+}
+
 double Model::total_mass() const {
   double sum = 0.0;
   for (std::size_t i = 0; i < body_count; ++i) sum += mass[i];
@@ -140,6 +148,7 @@ Model compile(const Scene& scene) {
   model.contact = scene.contact;
   add_rules(model, scene);
   for (const Body& body : scene.bodies) add_body(model, scene, body);
+  model.fields = compile_fields(scene, model.mass);
   for (const Terrain& terrain : scene.terrains) add_terrain(model, scene, terrain);
   model.joints = compile_joints(scene, model);
   model.bond_points = compile_bonds(scene, model);

@@ -12,6 +12,7 @@
 
 #include "engine/bonds/elements.h"
 #include "engine/collision/collider.h"
+#include "engine/fields/field_terms.h"
 #include "engine/scene.h"
 
 namespace dougong::engine {
@@ -30,6 +31,7 @@ struct Model {
   Vec2 origin;   // m
   Vec2 gravity;  // m/s2
   ContactOptions contact;
+  FieldTerms fields;
 
   std::vector<std::string> names;
   std::vector<Shape> shapes;
@@ -40,6 +42,7 @@ struct Model {
   std::vector<double> mass, inertia;        // kg, kg m2; of terrain, infinity
   std::vector<double> bounding_radius;      // m, about the centroid
   std::vector<double> minimum_width;        // m
+  std::vector<char> touchable;              // whether it can touch anything
   std::vector<Collider> colliders;          // of all bodies, then of all terrains
 
   std::vector<JointElement> joints;
@@ -54,13 +57,15 @@ struct Model {
     return rules[material_index[a] * material_count + material_index[b]];
   }
   std::size_t material_count = 0;
+  /// Whether any two of its bodies and terrains can touch.
+  bool has_contacts() const;
   double total_mass() const;
   /// Smallest knot interval of the motions (s); 0 when all are smooth.
   double knot_interval() const;
 };
 
 /// Throws std::invalid_argument, naming the body, for a mass, stiffness or size that is not positive
-/// and finite, or a material that does not exist.
+/// and finite, a charge that is not finite, or a material that does not exist.
 Model compile(const Scene& scene);
 
 }  // namespace dougong::engine

@@ -30,6 +30,7 @@ struct Body {
   double charge = 0.0;          // C
   double linear_drag = 0.0;     // N s/m, force -c v at the centroid
   double quadratic_drag = 0.0;  // N s2/m2, force -c |v| v
+  bool collides = true;         // false: a point mass that fields move and nothing touches
 };
 
 struct Terrain {

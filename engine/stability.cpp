@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include "engine/fields/fields.h"
+
 namespace dougong::engine {
 namespace {
 
@@ -135,7 +137,11 @@ SpectralBound spectral_bound(const Model& model, const State& state, std::span<c
   }
   add_bond_points(model, frames, sums);
   for (const JointElement& joint : model.joints) add_joint(model, joint, frames, sums);
-  return {sums.stiffness.largest(), sums.damping.largest()};
+  SpectralBound bound{sums.stiffness.largest(), sums.damping.largest()};
+  if (model.fields.empty()) return bound;
+  // The largest eigenvalue of a sum is at most the sum of the largest.
+  const FieldRates fields = field_rates(model.fields, model.mass, frames);
+  return {bound.stiffness + fields.stiffness, bound.damping + fields.damping};
 }
 
 }  // namespace dougong::engine

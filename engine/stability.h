@@ -4,6 +4,8 @@
 // the largest row sum of absolute values. The rows are assembled first (3 x 3 blocks of every body and
 // pair), so that terms that cancel do cancel. Every contact point counts, touching or not, as if it
 // stuck: the bound also holds for the contact that is about to close.
+// What fields add is an estimate for the present places and speeds (fields/fields.h): a close passage raises
+// it at any time, so drive() asks again every base interval.
 // An integrator turns the two bounds into its largest stable step (Integrator::stable_step).
 #pragma once
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/report/text.h"
+#include "engine/integrators/table.h"
 
 namespace dougong::app {
 namespace {
@@ -53,6 +54,8 @@ std::string motion_text(const Preparation& p) {
 }
 
 std::string step_text(const Preparation& p) {
+  if (engine::traits_of(p.drive.integrator).adaptive)
+    return fmt::format("{}, steps by their error, {:.0e} each", p.drive.integrator, p.drive.tolerance);
   if (!std::isfinite(p.plan.bound))
     return fmt::format("{}, step {} (nothing touches: no stability bound)", p.drive.integrator,
                        time_text(p.plan.step));

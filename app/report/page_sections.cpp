@@ -156,6 +156,7 @@ Html loss_table(const RunResult& run) {
 // ---- numbers ----
 
 std::string step_share(const Numerics& n) {
+  if (std::isinf(n.bound)) return "not bounded by stability";
   return n.bound > 0 ? fixed(n.step / n.bound, 2) + " of the bound " + significant(1e6 * n.bound, 3) + " µs"
                      : "no bound known";
 }

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <chrono>
 
+#include "engine/integrators/table.h"
+
 namespace dougong::app {
 namespace {
 
@@ -50,6 +52,10 @@ void find_period(Preparation& p) {
 }
 
 void refuse_unstable_step(const Preparation& p) {
+  if (p.plan.bound == 0.0)
+    throw std::invalid_argument(
+        "solve.integrator: expected one with a stable step for this building, found " + p.drive.integrator +
+        ", under which any undamped vibration grows");
   if (!p.drive.step || *p.drive.step <= p.plan.bound) return;
   throw std::invalid_argument(
       fmt::format("solve.step: expected at most the stability bound of {:.3g} s, found {:.6g} s",
@@ -77,7 +83,9 @@ void refuse_too_much_output(const Preparation& p) {
 double estimate_cost(const Preparation& p) {
   engine::State trial = p.state;
   engine::DriveOptions options = p.drive;
-  options.end_time = options.output_interval = std::min(p.duration, 300.0 * p.plan.step);
+  // A step of an adaptive integrator holds many of its own.
+  const double steps = engine::traits_of(p.drive.integrator).adaptive ? 3.0 : 300.0;
+  options.end_time = options.output_interval = std::min(p.duration, steps * p.plan.step);
   const auto start = Clock::now();
   const engine::RunOutcome run = engine::drive(p.model, trial, options, {});
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace dougong::engine {
 namespace {
@@ -176,6 +177,28 @@ ContactTotals contact_forces(ContactPoints& points, std::span<const Frame> frame
     if (ratio > totals.deepest_ratio) totals.deepest_ratio = ratio, totals.deepest_point = i;
   }
   return totals;
+}
+
+namespace {
+
+// Whether the spring, as it was committed, holds all that friction can.
+bool slides(const PointStiffness& law, const PointGeometry& g, const PointRates& rate) {
+  constexpr double rounding = 1e-9;
+  const double limit = law.friction * normal_force(law.normal, law.normal_damping, g.overlap, rate.overlap);
+  return limit > 0.0 && law.tangential * std::abs(g.slip) >= (1.0 - rounding) * limit;
+}
+
+}  // namespace
+
+void contact_events(const ContactPoints& points, std::span<const Frame> frames, bool at_start,
+                    std::span<double> values) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const PointGeometry g = geometry_of(points, i, frames);
+    const PointRates rate = rates_of(g, frames[points.corner_body[i]], frames[points.edge_body[i]]);
+    values[2 * i] = g.overlap;
+    const bool watched = !at_start || slides(points.stiffness[i], g, rate);
+    values[2 * i + 1] = watched ? rate.slip : std::numeric_limits<double>::quiet_NaN();
+  }
 }
 
 StoredEnergy stored_energy(const ContactPoints& points, std::span<const Frame> frames) {

@@ -83,6 +83,12 @@ PointGeometry geometry_of(const ContactPoints& points, std::size_t i, std::span<
 ContactTotals contact_forces(ContactPoints& points, std::span<const Frame> frames, bool commit,
                              std::span<PointLoad> loads);
 
+/// Two values for every point, whose sign changes are kinks of its force: its overlap; and its rate of slip
+/// (m/s) if its spring stretches to Coulomb's limit `at_start`, else not a number. A step that straddles the
+/// moment in which sliding turns back would leave the anchor behind.
+void contact_events(const ContactPoints& points, std::span<const Frame> frames, bool at_start,
+                    std::span<double> values);
+
 struct StoredEnergy {
   double normal = 0.0, tangential = 0.0;  // J
 };

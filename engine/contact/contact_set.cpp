@@ -63,11 +63,18 @@ double fastest_rim(const Model& model, std::span<const Frame> frames) {
   const Vec2 common = common_velocity(model, frames);
   double fastest = 0.0;
   for (std::size_t i = 0; i < model.size(); ++i) {
+    if (!model.touchable[i]) continue;
     const Vec2 v = frames[i].velocity() - common;
     fastest = std::max(fastest,
                        std::abs(v.x) + std::abs(v.y) + model.bounding_radius[i] * std::abs(frames[i].spin));
   }
   return fastest;
+}
+
+// Time in which what moves at `speed` and falls freely besides goes `way` (s).
+double time_to_go(const Model& model, double way, double speed) {
+  const double root = std::sqrt(speed * speed + 2.0 * norm(model.gravity) * way);
+  return speed + root > 0.0 ? 2.0 * way / (speed + root) : std::numeric_limits<double>::infinity();
 }
 
 bool same_features(const Manifold& a, const Manifold& b) {
@@ -100,10 +107,16 @@ PointHistory history_with_slip(const ContactPoints& points, std::size_t i, std::
 
 ContactSet::ContactSet(const Model& model) {
   index_bodies(model.size());
-  if (model.body_count == 0) return;
-  skin_ = skin_ratio * median({model.minimum_width.begin(),
-                               model.minimum_width.begin() + static_cast<std::ptrdiff_t>(model.body_count)});
-  smallest_margin_ = margin_ratio * *std::min_element(model.minimum_width.begin(), model.minimum_width.end());
+  if (!model.has_contacts()) return;
+  std::vector<double> body_widths;
+  double smallest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < model.size(); ++i) {
+    if (!model.touchable[i]) continue;
+    smallest = std::min(smallest, model.minimum_width[i]);
+    if (i < model.body_count) body_widths.push_back(model.minimum_width[i]);
+  }
+  skin_ = skin_ratio * median(std::move(body_widths));
+  smallest_margin_ = margin_ratio * smallest;
   skin_ = std::max(skin_, 4.0 * smallest_margin_);
 }
 
@@ -116,6 +129,7 @@ bool ContactSet::moved_beyond_skin(const Model& model, std::span<const Frame> fr
   if (skin_position_.size() != model.size()) return true;
   const Vec2 common = common_position(model, frames);
   for (std::size_t i = 0; i < model.size(); ++i) {
+    if (!model.touchable[i]) continue;
     const Vec2 d = frames[i].position() - common - skin_position_[i];
     const double turn = model.bounding_radius[i] * std::abs(frames[i].angle - skin_angle_[i]);
     // A quarter of the skin: the other half of the half is for the steps until the next look.
@@ -128,12 +142,13 @@ void ContactSet::rebuild_pairs(const Model& model, std::span<const Frame> frames
   std::vector<ContactPair> pairs;
   auto old = pairs_.begin();
   for (const BodyPair colliders : find_pairs(model, frames, skin_)) {
+    const Collider &a = model.colliders[colliders.a], &b = model.colliders[colliders.b];
+    if (!model.touchable[a.owner] || !model.touchable[b.owner]) continue;
     while (old != pairs_.end() && old->colliders < colliders) ++old;
     if (old != pairs_.end() && old->colliders == colliders) {
       pairs.push_back(*old);
       continue;
     }
-    const Collider &a = model.colliders[colliders.a], &b = model.colliders[colliders.b];
     if (std::binary_search(held_.begin(), held_.end(), BodyPair{a.owner, b.owner})) continue;
     ContactPair pair;
     pair.colliders = colliders;
@@ -248,7 +263,7 @@ void ContactSet::index_bodies(std::size_t bodies) {
 }
 
 bool ContactSet::update(const Model& model, std::span<const Frame> frames) {
-  if (model.body_count == 0) return false;
+  if (!model.has_contacts()) return false;
   bool activity_changed = false, changed = false;
   if (moved_beyond_skin(model, frames)) {
     const std::size_t before = points.size();
@@ -272,16 +287,16 @@ bool ContactSet::update(const Model& model, std::span<const Frame> frames) {
 
 double ContactSet::longest_step(const Model& model, std::span<const Frame> frames) const {
   const double fastest = fastest_rim(model, frames);
-  if (model.size() < 2 || fastest == 0.0) return std::numeric_limits<double>::infinity();
-  return (pairs_.empty() ? skin_travel * skin_ : margin_travel * smallest_margin_) / fastest;
+  if (!model.has_contacts()) return std::numeric_limits<double>::infinity();
+  return time_to_go(model, pairs_.empty() ? skin_travel * skin_ : margin_travel * smallest_margin_, fastest);
 }
 
 std::size_t ContactSet::steps_until_update(const Model& model, std::span<const Frame> frames,
                                            double h) const {
   const double allowed = 0.5 * refresh_ratio * smallest_margin_;
-  const double per_step = 2.0 * fastest_rim(model, frames) * h;
-  if (per_step * static_cast<double>(longest_wait) <= allowed) return longest_wait;
-  return std::max<std::size_t>(1, static_cast<std::size_t>(allowed / per_step));
+  const double steps = time_to_go(model, 0.5 * allowed, fastest_rim(model, frames)) / h;
+  return std::max<std::size_t>(1,
+                               static_cast<std::size_t>(std::min(steps, static_cast<double>(longest_wait))));
 }
 
 void ContactSet::gather(std::span<const PointLoad> loads, std::span<Vec2> forces,

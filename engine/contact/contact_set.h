@@ -34,11 +34,11 @@ class ContactSet {
   /// or replaced (its stability bound may have changed).
   bool update(const Model& model, std::span<const Frame> frames);
   /// Steps of length h that may pass before the next update, whatever the bodies do at their present
-  /// speeds (at least 1).
+  /// speeds and in free fall (at least 1).
   std::size_t steps_until_update(const Model& model, std::span<const Frame> frames, double h) const;
 
   /// Longest step in which no body can pass from beyond the margin of another to touching it, at the present
-  /// speeds (s): contacts are found before they close. Infinite at rest and for a body alone.
+  /// speeds and in free fall (s): contacts are found before they close. Infinite where nothing can touch.
   double longest_step(const Model& model, std::span<const Frame> frames) const;
 
   /// Sums the loads of the points over every body and terrain, in a fixed order.

@@ -1,4 +1,5 @@
-// What an integrator is: one fixed step of q'' = a(t, q, v), and the facts about it.
+// What an integrator is: one step of q'' = a(t, q, v), and the facts about it. An adaptive one divides the
+// step as its tolerance asks (adaptive.h).
 //
 // The system may depend on velocity (dashpots, friction). Beside the motion every integrator cumulates
 // the system's powers into work, with its own quadrature, so that the energy ledger has the order of the
@@ -34,7 +35,8 @@ struct IntegratorTraits {
   int order_with_damping;  // smooth forces that depend on velocity too
   int evaluations;         // of the forces, a step
   bool symplectic;
-  double stability_limit;  // of omega h, undamped oscillator
+  double stability_limit;  // of omega h, undamped oscillator; no meaning for an adaptive one
+  bool adaptive = false;
 };
 
 template <class S>
@@ -45,6 +47,13 @@ concept SecondOrderSystem = requires(S s, double t, std::span<const double> q, s
   { s.work() } -> std::same_as<Powers>;
 };
 
+/// A system may also offer, and adaptive integrators then use:
+///     has_memory()               whether begins_step changes what later evaluations give (friction)
+///     scales()                   what errors are measured by (error_control.h)
+///     event_count(), events(values, at_start)   signed values at the last evaluated state whose sign changes
+///                                a step must not straddle; not a number: not watched (events.h)
+/// An adaptive integrator also has set_tolerance() and trouble().
+///
 /// step() advances q and v from t to t + h and returns the work done. restart() forgets what was kept
 /// from the step before (after a change of step, contacts or state).
 /// stable_step(w2, c) is the largest stable h for every pair of eigenvalues w2 of M^-1 K (rad2/s2) and c

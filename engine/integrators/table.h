@@ -5,13 +5,19 @@
 #include <string>
 #include <variant>
 
+#include "engine/integrators/dormand_prince.h"
+#include "engine/integrators/explicit_euler.h"
+#include "engine/integrators/leapfrog.h"
+#include "engine/integrators/rk3.h"
 #include "engine/integrators/rk4.h"
+#include "engine/integrators/rk8.h"
 #include "engine/integrators/symplectic_euler.h"
 #include "engine/integrators/velocity_verlet.h"
 
 namespace dougong::engine {
 
-using AnyIntegrator = std::variant<VelocityVerlet, SymplecticEuler, Rk4>;
+using AnyIntegrator =
+    std::variant<VelocityVerlet, SymplecticEuler, Leapfrog, Rk4, Rk3, ExplicitEuler, DormandPrince, Rk8>;
 
 namespace detail {
 template <std::size_t I = 0>
@@ -29,6 +35,11 @@ AnyIntegrator integrator_named(std::string_view name, std::string known) {
 /// Throws std::invalid_argument, naming the known ones.
 inline AnyIntegrator make_integrator(std::string_view name) {
   return detail::integrator_named(name, "");
+}
+
+/// Throws as make_integrator().
+inline IntegratorTraits traits_of(std::string_view name) {
+  return std::visit([](const auto& i) -> IntegratorTraits { return i.traits; }, make_integrator(name));
 }
 
 }  // namespace dougong::engine

@@ -6,7 +6,7 @@
 // Forces of velocity see the velocity predicted for the end of the step, not the one half a step ago, so
 // the method stays of order 2 with dashpots (the half-step velocity would make it order 1).
 // One evaluation a step. Undamped limit omega h = 2; the amplitude factor of the damped oscillator
-// reaches -1 at w2 h^2 + 4 c h = 4, so h < 2 (-c + sqrt(c^2 + w2)) / w2.
+// reaches -1 at w2 h^2 + 4 c h = 4, so h < 2 (-c + sqrt(c^2 + w2)) / w2 = 2 / (c + sqrt(c^2 + w2)).
 // Groot and Warren, J. Chem. Phys. 107 (1997) 4423-4435, eq. 22 with lambda = 1.
 #pragma once
 
@@ -20,7 +20,7 @@ class VelocityVerlet {
  public:
   static constexpr IntegratorTraits traits{"velocity-verlet", 2, 2, 1, true, 2.0};
 
-  static double stable_step(double w2, double c) { return 2.0 * (-c + std::sqrt(c * c + w2)) / w2; }
+  static double stable_step(double w2, double c) { return 2.0 / (c + std::sqrt(c * c + w2)); }
 
   template <SecondOrderSystem S>
   Powers step(S& system, double t, double h, std::span<double> q, std::span<double> v) {

@@ -208,7 +208,8 @@ TEST(Drive, RefusesOptionsThatMakeNoSense) {
   refused([](DriveOptions& o) { o.output_interval = 0.0; });
   refused([](DriveOptions& o) { o.step_fraction = 1.0; });
   refused([](DriveOptions& o) { o.step = -1e-3; });
-  refused([](DriveOptions& o) { o.integrator = "leapfrog"; });
+  refused([](DriveOptions& o) { o.tolerance = 0.0; });
+  refused([](DriveOptions& o) { o.integrator = "leapfrogs"; });
 }
 
 TEST(Drive, IsNotChangedByBeingWatched) {

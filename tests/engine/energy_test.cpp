@@ -124,7 +124,8 @@ TEST(Energies, OfAShakenWallBalance) {
       scenes::horizontal_motion([=](double t) { return a * std::sin(w * t); },
                                 [=](double t) { return a / w * (1.0 - std::cos(w * t)); },
                                 [=](double t) { return a / w * (t - std::sin(w * t) / w); });
-  for (const char* integrator : {"velocity-verlet", "symplectic-euler", "rk4"}) {
+  for (const char* integrator :
+       {"velocity-verlet", "symplectic-euler", "leapfrog", "rk3", "rk4", "dormand-prince"}) {
     Running r(s);
     ASSERT_TRUE(settle(r.model, r.state).settled);
     const double start = r.energies().balance();

@@ -24,7 +24,19 @@ inline Motion velocity_verlet_map(Motion m, double w, double h) {
   const double a = 1.0 - 0.5 * w * w * h * h;
   return {a * m.x + h * m.v, a * m.v - w * w * h * (1.0 - 0.25 * w * w * h * h) * m.x};
 }
-/// The exponential series of the oscillator's matrix, cut after h^4.
+inline Motion leapfrog_map(Motion m, double w, double h) {
+  const double middle = m.x + 0.5 * h * m.v, v = m.v - h * w * w * middle;
+  return {middle + 0.5 * h * v, v};
+}
+inline Motion explicit_euler_map(Motion m, double w, double h) {
+  return {m.x + h * m.v, m.v - h * w * w * m.x};
+}
+/// The exponential series of the oscillator's matrix, cut after h^3 and after h^4.
+inline Motion rk3_map(Motion m, double w, double h) {
+  const double z = w * w * h * h;
+  const double c = 1.0 - z / 2.0, s = h * (1.0 - z / 6.0);
+  return {c * m.x + s * m.v, c * m.v - w * w * s * m.x};
+}
 inline Motion rk4_map(Motion m, double w, double h) {
   const double z = w * w * h * h;
   const double c = 1.0 - z / 2.0 + z * z / 24.0, s = h * (1.0 - z / 6.0);
