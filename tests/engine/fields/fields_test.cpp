@@ -7,6 +7,7 @@
 #include <string>
 
 #include "engine/dynamics.h"
+#include "tests/engine/allocations.h"
 #include "tests/scenes/points.h"
 
 namespace dougong::engine {
@@ -107,6 +108,19 @@ TEST(FieldForces, AreOppositeToTheLastBitInTheDirectSum) {
   const auto f = forces_of(Running(s));
   EXPECT_EQ(f[0].x, -f[1].x);
   EXPECT_EQ(f[0].y, -f[1].y);
+}
+
+TEST(FieldForces, AllocateNothingAfterTheFirstEvaluation) {
+  Scene s = cloud(600);
+  s.fields = {1.0, 1.0, 0.01, 0.5, {0.1, 0.0}};
+  s.bodies[3].linear_drag = 1.0;
+  Running r(s);
+  Dynamics dynamics(r.model, r.state);
+  std::vector<double> a(3 * r.bodies());
+  dynamics.accelerate(0.0, r.state.q(), r.state.v(), a, true);
+  const std::size_t before = testing::allocations();
+  dynamics.accelerate(0.0, r.state.q(), r.state.v(), a, true);
+  EXPECT_EQ(testing::allocations(), before);
 }
 
 double relative_error(const std::vector<Vec2>& got, const std::vector<Vec2>& exact) {
