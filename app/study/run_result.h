@@ -22,6 +22,7 @@ struct DrawnShape {
   double mass = 0.0;                  // kg; 0 for terrain
   int storey = -1;                    // index into the storeys; -1 for none
   std::string material;
+  std::vector<DrawnShape> parts;  // of a compound, in its frame; only in memory
 };
 
 struct NamedValue {
@@ -54,6 +55,8 @@ struct ModelSheet {
   std::vector<std::string> modelled;
   std::vector<std::string> not_modelled;
   std::vector<std::string> findings;  // of the model check
+  bool free_scene = false;            // pictures frame the terrain too and know no storeys; only in memory
+  bool trails = false;                // pictures draw the paths of the bodies; only in memory
 };
 
 struct MotionSheet {
@@ -131,6 +134,9 @@ struct RunResult {
   Numerics numerics;
   Reproducibility reproducibility;
   std::vector<Moment> moments;
+  /// Where the terrains of a free scene are in the pictures (m), [time][terrain]; empty where they stand
+  /// still in them. Only in memory.
+  std::vector<engine::Vec2> terrain_displacement;
 };
 
 }  // namespace dougong::app

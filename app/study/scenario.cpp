@@ -6,9 +6,9 @@
 #include <fstream>
 #include <iterator>
 
-#include "app/study/scenario_entries.h"
+#include "app/study/entries.h"
+#include "app/study/key_values.h"
 #include "app/study/scenario_keys.h"
-#include "app/study/scenario_values.h"
 #include "structures/nearest_name.h"
 
 namespace dougong::app {
@@ -223,25 +223,6 @@ Scenario read_entries(std::vector<Entry> entries, const std::string& source,
 }
 
 }  // namespace
-
-ScenarioError::ScenarioError(std::vector<LocatedMessage> messages) : messages_(std::move(messages)) {
-  for (const LocatedMessage& message : messages_) {
-    if (!text_.empty()) text_ += '\n';
-    text_ += message.text();
-  }
-}
-
-Override parse_override(const std::string& text, const std::string& origin) {
-  const auto equals = text.find('=');
-  if (equals == std::string::npos || equals == 0)
-    throw ScenarioError({{fmt::format("{} {}", origin, text), "expected key=value"}});
-  const auto trim = [](std::string part) {
-    part.erase(0, part.find_first_not_of(' '));
-    part.erase(part.find_last_not_of(' ') + 1);
-    return part;
-  };
-  return {trim(text.substr(0, equals)), trim(text.substr(equals + 1)), origin};
-}
 
 Scenario read_scenario(const std::string& text, const std::string& source,
                        const std::vector<Override>& overrides, RecordRule rule) {
