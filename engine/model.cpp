@@ -37,19 +37,25 @@ void require_finite(Vec2 p, double angle, const std::string& owner) {
     throw std::invalid_argument(owner + ": position and angle must be finite");
 }
 
-void add_common(Model& model, const std::string& name, const Shape& shape, const Material& material) {
+void add_common(Model& model, const Scene& scene, const std::string& name, const Shape& shape,
+                std::size_t material) {
   model.names.push_back(name);
   model.shapes.push_back(shape);
-  model.materials.push_back(material);
+  model.materials.push_back(checked_material(scene, material, name));
+  model.material_index.push_back(material);
   model.bounding_radius.push_back(bounding_radius(shape));
   model.minimum_width.push_back(minimum_width(shape));
-  require_positive(model.minimum_width.back(), name, "size");
+  if (!(model.minimum_width.back() > 0.0)) throw std::invalid_argument(name + ": size must be positive");
+  const auto owner = static_cast<Index>(model.names.size() - 1);
+  for (Collider& collider : colliders_of(shape, owner)) model.colliders.push_back(std::move(collider));
 }
 
 void add_body(Model& model, const Scene& scene, const Body& body) {
   require_finite(body.position, body.angle, body.name);
-  const Material& material = checked_material(scene, body.material, body.name);
-  add_common(model, body.name, body.shape, material);
+  if (std::holds_alternative<HalfPlane>(body.shape))
+    throw std::invalid_argument(body.name + ": a half-plane has no mass; only terrain can be one");
+  add_common(model, scene, body.name, body.shape, body.material);
+  const Material& material = model.materials.back();
   require_positive(body.thickness, body.name, "thickness");
   MassProperties properties = mass_properties(body.shape, material.density, body.thickness);
   if (body.mass) {
@@ -64,13 +70,39 @@ void add_body(Model& model, const Scene& scene, const Body& body) {
 
 void add_terrain(Model& model, const Scene& scene, const Terrain& terrain) {
   require_finite(terrain.position, terrain.angle, terrain.name);
-  add_common(model, terrain.name, terrain.shape, checked_material(scene, terrain.material, terrain.name));
+  add_common(model, scene, terrain.name, terrain.shape, terrain.material);
   model.thickness.push_back(infinity);
   model.mass.push_back(infinity);
   model.inertia.push_back(infinity);
   model.terrain_position.push_back(terrain.position - model.origin);
   model.terrain_angle.push_back(terrain.angle);
   model.motions.push_back(terrain.motion);
+}
+
+PairRule rule_of_any_two(const Material& a, const Material& b) {
+  return {std::min(a.friction_coefficient, b.friction_coefficient),
+          0.5 * (a.damping_ratio + b.damping_ratio)};
+}
+
+void set_rule(Model& model, const Scene& scene, const MaterialPair& pair) {
+  const std::size_t n = scene.materials.size();
+  if (pair.a >= n || pair.b >= n)
+    throw std::invalid_argument("pair of materials: there is no material number " +
+                                std::to_string(std::max(pair.a, pair.b)));
+  const std::string owner = scene.materials[pair.a].name + " on " + scene.materials[pair.b].name;
+  for (PairRule* rule : {&model.rules[pair.a * n + pair.b], &model.rules[pair.b * n + pair.a]}) {
+    rule->friction_coefficient = pair.friction_coefficient.value_or(rule->friction_coefficient);
+    rule->damping_ratio = pair.damping_ratio.value_or(rule->damping_ratio);
+    require_not_negative(rule->friction_coefficient, owner, "friction coefficient");
+    require_not_negative(rule->damping_ratio, owner, "damping ratio");
+  }
+}
+
+void add_rules(Model& model, const Scene& scene) {
+  model.material_count = scene.materials.size();
+  for (const Material& a : scene.materials)
+    for (const Material& b : scene.materials) model.rules.push_back(rule_of_any_two(a, b));
+  for (const MaterialPair& pair : scene.material_pairs) set_rule(model, scene, pair);
 }
 
 Vec2 mean_position(const std::vector<Body>& bodies) {
@@ -103,6 +135,7 @@ Model compile(const Scene& scene) {
   model.origin = mean_position(scene.bodies);
   model.gravity = scene.gravity;
   model.contact = scene.contact;
+  add_rules(model, scene);
   for (const Body& body : scene.bodies) add_body(model, scene, body);
   for (const Terrain& terrain : scene.terrains) add_terrain(model, scene, terrain);
   return model;

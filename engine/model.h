@@ -10,11 +10,15 @@
 #include <string>
 #include <vector>
 
+#include "engine/collision/collider.h"
 #include "engine/scene.h"
 
 namespace dougong::engine {
 
-using Index = std::uint32_t;
+/// What two materials do where they touch.
+struct PairRule {
+  double friction_coefficient = 0.0, damping_ratio = 0.0;
+};
 
 struct Model {
   std::size_t body_count = 0;
@@ -28,16 +32,23 @@ struct Model {
 
   std::vector<std::string> names;
   std::vector<Shape> shapes;
-  std::vector<Material> materials;      // one for each body and terrain
-  std::vector<double> thickness;        // m; of terrain, infinity
-  std::vector<double> mass, inertia;    // kg, kg m2; of terrain, infinity
-  std::vector<double> bounding_radius;  // m
-  std::vector<double> minimum_width;    // m
+  std::vector<Material> materials;          // one for each body and terrain
+  std::vector<std::size_t> material_index;  // of each, into the scene's materials
+  std::vector<PairRule> rules;              // square, by two material indices
+  std::vector<double> thickness;            // m; of terrain, infinity
+  std::vector<double> mass, inertia;        // kg, kg m2; of terrain, infinity
+  std::vector<double> bounding_radius;      // m, about the centroid
+  std::vector<double> minimum_width;        // m
+  std::vector<Collider> colliders;          // of all bodies, then of all terrains
 
   std::vector<Vec2> terrain_position;  // m, relative to origin, at zero displacement
   std::vector<double> terrain_angle;   // rad
   std::vector<std::shared_ptr<const PrescribedMotion>> motions;  // null: fixed
 
+  const PairRule& rule(Index a, Index b) const {
+    return rules[material_index[a] * material_count + material_index[b]];
+  }
+  std::size_t material_count = 0;
   double total_mass() const;
   /// Smallest knot interval of the motions (s); 0 when all are smooth.
   double knot_interval() const;

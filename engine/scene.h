@@ -60,7 +60,8 @@ struct Fields {
   Vec2 electric_field;         // V/m, uniform
 };
 
-/// What two materials do together, instead of the rule for any two (engine/material.h).
+/// What two materials do where they touch, instead of the rule for any two: the smaller friction coefficient,
+/// the mean damping ratio.
 struct MaterialPair {
   std::size_t a = 0, b = 0;
   std::optional<double> friction_coefficient, damping_ratio;

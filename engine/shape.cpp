@@ -1,6 +1,7 @@
 #include "engine/shape.h"
 
 #include <algorithm>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 
@@ -9,6 +10,7 @@ namespace {
 
 // Shorter than this part of the outline's extent is a repeated corner; flatter, a collinear one.
 constexpr double corner_tolerance = 1e-12;
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 void require_finite(std::span<const Vec2> points) {
   for (const Vec2 p : points)
@@ -90,7 +92,7 @@ std::vector<Vec2> outward_normals(const std::vector<Vec2>& v) {
 }
 
 double width_along(const ConvexPolygon& polygon, Vec2 direction) {
-  double low = 0.0, high = 0.0;
+  double low = infinity, high = -infinity;
   for (const Vec2 v : polygon.vertices()) {
     low = std::min(low, dot(v, direction));
     high = std::max(high, dot(v, direction));
@@ -137,13 +139,98 @@ Circle make_circle(double radius) {
   return {radius};
 }
 
-AreaProperties area_properties(const Shape& shape) {
-  if (const auto* circle = std::get_if<Circle>(&shape)) {
-    const double r2 = circle->radius * circle->radius;
-    return {std::numbers::pi * r2, 0.5 * std::numbers::pi * r2 * r2};
+ConvexPolygon ConvexPolygon::moved(Vec2 position, double angle) const {
+  ConvexPolygon result = *this;
+  for (Vec2& v : result.vertices_) v = position + rotated(v, angle);
+  for (Vec2& n : result.normals_) n = rotated(n, angle);
+  return result;
+}
+
+ConvexPolygon ConvexPolygon::with_inner_edges(std::vector<bool> inner) const {
+  ConvexPolygon result = *this;
+  result.inner_ = std::move(inner);
+  return result;
+}
+
+namespace {
+
+AreaProperties area_of(const Circle& circle) {
+  const double r2 = circle.radius * circle.radius;
+  return {std::numbers::pi * r2, 0.5 * std::numbers::pi * r2 * r2};
+}
+
+AreaProperties area_of(const ConvexPolygon& polygon) {
+  return {0.5 * twice_signed_area(polygon.vertices()), second_moment_of(polygon.vertices())};
+}
+
+AreaProperties area_of(const HalfPlane&) {
+  return {infinity, infinity};
+}
+
+AreaProperties area_of(const Part& part) {
+  return std::visit([](const auto& shape) { return area_of(shape); }, part.shape);
+}
+
+// Steiner's theorem: every part turns about the common centroid.
+AreaProperties area_of(const Compound& compound) {
+  AreaProperties sum;
+  for (const Part& part : compound.parts) {
+    const AreaProperties a = area_of(part);
+    sum.area += a.area;
+    sum.second_moment += a.second_moment + a.area * dot(part.position, part.position);
   }
-  const auto& v = std::get<ConvexPolygon>(shape).vertices();
-  return {0.5 * twice_signed_area(v), second_moment_of(v)};
+  return sum;
+}
+
+double radius_of(const Circle& circle) {
+  return circle.radius;
+}
+
+double radius_of(const ConvexPolygon& polygon) {
+  double largest = 0.0;
+  for (const Vec2 v : polygon.vertices()) largest = std::max(largest, norm(v));
+  return largest;
+}
+
+double radius_of(const HalfPlane&) {
+  return infinity;
+}
+
+double radius_of(const Compound& compound) {
+  double largest = 0.0;
+  for (const Part& part : compound.parts) {
+    const double own = std::visit([](const auto& shape) { return radius_of(shape); }, part.shape);
+    largest = std::max(largest, norm(part.position) + own);
+  }
+  return largest;
+}
+
+double width_of(const Circle& circle) {
+  return 2.0 * circle.radius;
+}
+
+double width_of(const ConvexPolygon& polygon) {
+  double smallest = infinity;
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+    smallest = std::min(smallest, width_along(polygon, polygon.normal(i)));
+  return smallest;
+}
+
+double width_of(const HalfPlane&) {
+  return infinity;
+}
+
+double width_of(const Compound& compound) {
+  double smallest = infinity;
+  for (const Part& part : compound.parts)
+    smallest = std::min(smallest, std::visit([](const auto& shape) { return width_of(shape); }, part.shape));
+  return smallest;
+}
+
+}  // namespace
+
+AreaProperties area_properties(const Shape& shape) {
+  return std::visit([](const auto& s) { return area_of(s); }, shape);
 }
 
 MassProperties mass_properties(const Shape& shape, double density, double thickness) {
@@ -152,19 +239,11 @@ MassProperties mass_properties(const Shape& shape, double density, double thickn
 }
 
 double bounding_radius(const Shape& shape) {
-  if (const auto* circle = std::get_if<Circle>(&shape)) return circle->radius;
-  double largest = 0.0;
-  for (const Vec2 v : std::get<ConvexPolygon>(shape).vertices()) largest = std::max(largest, norm(v));
-  return largest;
+  return std::visit([](const auto& s) { return radius_of(s); }, shape);
 }
 
 double minimum_width(const Shape& shape) {
-  if (const auto* circle = std::get_if<Circle>(&shape)) return 2.0 * circle->radius;
-  const auto& polygon = std::get<ConvexPolygon>(shape);
-  double smallest = width_along(polygon, polygon.normal(0));
-  for (std::size_t i = 1; i < polygon.size(); ++i)
-    smallest = std::min(smallest, width_along(polygon, polygon.normal(i)));
-  return smallest;
+  return std::visit([](const auto& s) { return width_of(s); }, shape);
 }
 
 }  // namespace dougong::engine

@@ -25,11 +25,18 @@ class ConvexPolygon {
   Vec2 vertex(std::size_t i) const { return vertices_[i % vertices_.size()]; }
   /// Outward unit normal of the edge from vertex i to vertex i + 1.
   Vec2 normal(std::size_t i) const { return normals_[i]; }
+  /// An edge inside a compound: it bounds the polygon, but nothing touches it.
+  bool is_inner(std::size_t i) const { return !inner_.empty() && inner_[i]; }
+
+  /// The same polygon turned, then moved, in another frame: its centroid is no longer the origin.
+  ConvexPolygon moved(Vec2 position, double angle) const;
+  ConvexPolygon with_inner_edges(std::vector<bool> inner) const;
 
  private:
   friend struct PlacedPolygon make_polygon(std::span<const Vec2> points);
   std::vector<Vec2> vertices_;
   std::vector<Vec2> normals_;
+  std::vector<bool> inner_;  // empty: none
 };
 
 /// All that lies below y = 0 of its frame. Terrain only.

@@ -12,18 +12,20 @@ struct Box {
   Vec2 centre() const { return 0.5 * (low + high); }
 };
 
-Box box_of(const Shape& shape, const Frame& frame, double grow) {
-  Box box{frame.position(), frame.position()};
-  if (const auto* circle = std::get_if<Circle>(&shape)) {
-    grow += circle->radius;
-  } else {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+Box box_of(const Collider& collider, const Frame& frame, double grow) {
+  const Vec2 centre = frame.to_world(collider.centre);
+  Box box{centre, centre};
+  if (const auto* polygon = std::get_if<ConvexPolygon>(&collider.shape)) {
     box = {{infinity, infinity}, {-infinity, -infinity}};
-    for (const Vec2 v : std::get<ConvexPolygon>(shape).vertices()) {
+    for (const Vec2 v : polygon->vertices()) {
       const Vec2 p = frame.to_world(v);
       box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
       box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
     }
+  } else {
+    grow += collider.radius;
   }
   return {box.low - Vec2{grow, grow}, box.high + Vec2{grow, grow}};
 }
@@ -32,21 +34,30 @@ class Sieve {
  public:
   Sieve(const Model& model, std::span<const Frame> frames, double skin)
       : model_(model), frames_(frames), skin_(skin) {
-    for (std::size_t i = 0; i < model.size(); ++i)
-      boxes_.push_back(box_of(model.shapes[i], frames[i], 0.5 * skin));
+    for (const Collider& collider : model.colliders) {
+      boxes_.push_back(box_of(collider, frames[collider.owner], 0.5 * skin));
+      centres_.push_back(frames[collider.owner].to_world(collider.centre));
+    }
   }
   const std::vector<Box>& boxes() const { return boxes_; }
 
   void test(Index i, Index j, std::vector<BodyPair>& pairs) const {
-    if (model_.is_terrain(i) && model_.is_terrain(j)) return;
-    if (circles_apart(i, j) || boxes_apart(boxes_[i], boxes_[j])) return;
+    const Index owner_i = model_.colliders[i].owner, owner_j = model_.colliders[j].owner;
+    if (owner_i == owner_j || (model_.is_terrain(owner_i) && model_.is_terrain(owner_j))) return;
+    if (is_plane(i) ? above(i, j) : is_plane(j) ? above(j, i) : circles_apart(i, j)) return;
+    if (boxes_apart(boxes_[i], boxes_[j])) return;
     pairs.push_back({std::min(i, j), std::max(i, j)});
   }
 
  private:
+  bool is_plane(Index i) const { return std::holds_alternative<HalfPlane>(model_.colliders[i].shape); }
+  bool above(Index plane, Index other) const {
+    const Frame& frame = frames_[model_.colliders[plane].owner];
+    return frame.to_local(centres_[other]).y > model_.colliders[other].radius + skin_;
+  }
   bool circles_apart(Index i, Index j) const {
-    const double reach = model_.bounding_radius[i] + model_.bounding_radius[j] + skin_;
-    const Vec2 d = frames_[i].position() - frames_[j].position();
+    const double reach = model_.colliders[i].radius + model_.colliders[j].radius + skin_;
+    const Vec2 d = centres_[i] - centres_[j];
     return dot(d, d) > reach * reach;
   }
   static bool boxes_apart(const Box& a, const Box& b) {
@@ -57,11 +68,13 @@ class Sieve {
   std::span<const Frame> frames_;
   double skin_;
   std::vector<Box> boxes_;
+  std::vector<Vec2> centres_;
 };
 
 double median_extent(const std::vector<Box>& boxes) {
   std::vector<double> extents;
-  for (const Box& box : boxes) extents.push_back(box.extent());
+  for (const Box& box : boxes)
+    if (box.extent() < infinity) extents.push_back(box.extent());
   const auto middle = extents.begin() + static_cast<std::ptrdiff_t>(extents.size() / 2);
   std::nth_element(extents.begin(), middle, extents.end());
   return *middle;
@@ -129,7 +142,8 @@ std::vector<BodyPair> find_pairs(const Model& model, std::span<const Frame> fram
   const Sieve sieve(model, frames, skin);
   const double cell = 2.0 * median_extent(sieve.boxes());
   std::vector<Index> small, large;
-  for (Index i = 0; i < model.size(); ++i) (sieve.boxes()[i].extent() <= cell ? small : large).push_back(i);
+  for (Index i = 0; i < model.colliders.size(); ++i)
+    (sieve.boxes()[i].extent() <= cell ? small : large).push_back(i);
 
   if (!small.empty()) {
     const Grid grid = fill_grid(sieve.boxes(), small, cell);

@@ -2,7 +2,8 @@
 //
 // Two sieves for every candidate: bounding circles, then axis-aligned boxes, both grown by the skin.
 // Candidates come from a uniform grid filled by a counting sort; shapes larger than a cell (a ground, a
-// long slab) are tested against everything. Pairs of two terrains are never made.
+// long slab, a half-plane) are tested against everything. Pairs of two terrains, or of two parts of one body,
+// are never made.
 #pragma once
 
 #include <vector>
@@ -16,7 +17,8 @@ struct BodyPair {
   friend auto operator<=>(const BodyPair&, const BodyPair&) = default;
 };
 
-/// Sorted pairs whose shapes are within `skin` of each other (and some that are not quite).
+/// Sorted pairs of colliders (indices into Model::colliders) that are within `skin` of each other, and some
+/// that are not quite.
 std::vector<BodyPair> find_pairs(const Model& model, std::span<const Frame> frames, double skin);
 
 }  // namespace dougong::engine

@@ -13,8 +13,8 @@ std::uint64_t identity_of(bool corner_of_b, Index corner, Index edge) {
   return (static_cast<std::uint64_t>(corner_of_b) << 62) | (static_cast<std::uint64_t>(corner) << 31) | edge;
 }
 
-const ConvexPolygon& polygon_of(const Model& model, Index i) {
-  return std::get<ConvexPolygon>(model.shapes[i]);
+const ConvexPolygon& polygon_of(const Model& model, Index collider) {
+  return std::get<ConvexPolygon>(model.colliders[collider].shape);
 }
 
 bool was_feature(const Manifold& previous, std::uint64_t identity) {
@@ -23,38 +23,43 @@ bool was_feature(const Manifold& previous, std::uint64_t identity) {
   return false;
 }
 
-double distance_to_face(const ConvexPolygon& polygon, Index edge) {
-  return std::max(0.0, dot(polygon.normal(edge), polygon.vertex(edge)));
-}
-
 struct Pair {
   const Model& model;
   std::span<const Frame> frames;
-  Index a, b;
+  Index a, b;  // colliders
   double margin;
   const Manifold& previous;
 
-  Index other(Index body) const { return body == a ? b : a; }
+  Index other(Index collider) const { return collider == a ? b : a; }
+  Index owner(Index collider) const { return model.colliders[collider].owner; }
+  const Frame& frame(Index collider) const { return frames[owner(collider)]; }
 };
+
+double distance_to_face(const Pair& pair, Index collider, Index edge) {
+  const ConvexPolygon& polygon = polygon_of(pair.model, collider);
+  return std::max(0.0,
+                  dot(polygon.normal(edge), polygon.vertex(edge) - pair.model.colliders[collider].centre));
+}
 
 double separation_of(const Pair& pair, ReferenceEdge r) {
   const Index other = pair.other(r.owner);
-  return separation_along(polygon_of(pair.model, r.owner), pair.frames[r.owner], r.edge,
-                          polygon_of(pair.model, other), pair.frames[other]);
+  return separation_along(polygon_of(pair.model, r.owner), pair.frame(r.owner), r.edge,
+                          polygon_of(pair.model, other), pair.frame(other));
 }
 
 // The axis of greatest separation; the previous one if it is within a tenth of the margin of it.
 ReferenceEdge choose_reference(const Pair& pair, double& separation) {
   const auto& pa = polygon_of(pair.model, pair.a);
   const auto& pb = polygon_of(pair.model, pair.b);
-  const Frame &fa = pair.frames[pair.a], &fb = pair.frames[pair.b];
+  const Frame &fa = pair.frame(pair.a), &fb = pair.frame(pair.b);
   const Axis best_a = greatest_separation(pa, fa, pb, fb);
   const Axis best_b = greatest_separation(pb, fb, pa, fa);
   const double tie = 0.1 * pair.margin;
   separation = std::max(best_a.separation, best_b.separation);
-  if (pair.previous.reference.known && separation_of(pair, pair.previous.reference) > separation - tie)
+  const double outer = std::max(best_a.outer, best_b.outer);
+  if (pair.previous.reference.known && separation_of(pair, pair.previous.reference) > outer - tie)
     return pair.previous.reference;
-  if (best_b.separation > best_a.separation + tie) return {pair.b, best_b.edge, true};
+  if (best_b.outer > best_a.outer + tie) return {pair.b, best_b.edge, true};
   return {pair.a, best_a.edge, true};
 }
 
@@ -63,22 +68,22 @@ Index facing_edge(const ConvexPolygon& polygon, Vec2 local_direction) {
   double lowest = std::numeric_limits<double>::infinity();
   for (Index e = 0; e < polygon.size(); ++e) {
     const double d = dot(polygon.normal(e), local_direction);
-    if (d < lowest) lowest = d, best = e;
+    if (d < lowest && !polygon.is_inner(e)) lowest = d, best = e;
   }
   return best;
 }
 
-Feature corner_against_edge(const Pair& pair, Index corner_body, Index corner, Index edge) {
-  const Index edge_body = pair.other(corner_body);
-  const auto& corners = polygon_of(pair.model, corner_body);
-  const auto& edges = polygon_of(pair.model, edge_body);
+Feature corner_against_edge(const Pair& pair, Index corner_piece, Index corner, Index edge) {
+  const Index edge_piece = pair.other(corner_piece);
+  const auto& corners = polygon_of(pair.model, corner_piece);
+  const auto& edges = polygon_of(pair.model, edge_piece);
   Feature f;
-  f.corner_body = corner_body;
-  f.edge_body = edge_body;
+  f.corner_body = pair.owner(corner_piece);
+  f.edge_body = pair.owner(edge_piece);
   f.corner = corners.vertex(corner);
   f.edge_point = edges.vertex(edge);
   f.edge_normal = edges.normal(edge);
-  f.identity = identity_of(corner_body == pair.b, corner % static_cast<Index>(corners.size()), edge);
+  f.identity = identity_of(corner_piece == pair.b, corner % static_cast<Index>(corners.size()), edge);
   return f;
 }
 
@@ -96,7 +101,7 @@ Manifold clip(const Pair& pair, ReferenceEdge reference) {
   const Index owner = reference.owner, other = pair.other(owner);
   const auto& ref = polygon_of(pair.model, owner);
   const auto& inc = polygon_of(pair.model, other);
-  const Frame &ref_frame = pair.frames[owner], &inc_frame = pair.frames[other];
+  const Frame &ref_frame = pair.frame(owner), &inc_frame = pair.frame(other);
   const Vec2 n = ref_frame.turned_to_world(ref.normal(reference.edge));
   const Index incident = facing_edge(inc, inc_frame.turned_to_local(n));
 
@@ -119,7 +124,8 @@ Manifold clip(const Pair& pair, ReferenceEdge reference) {
   m.features[1] =
       end_feature(pair, corner_against_edge(pair, owner, reference.edge + 1, incident),
                   corner_against_edge(pair, other, incident, reference.edge), inc_high - ref_high);
-  const double ref_depth = distance_to_face(ref, reference.edge), inc_depth = distance_to_face(inc, incident);
+  const double ref_depth = distance_to_face(pair, owner, reference.edge);
+  const double inc_depth = distance_to_face(pair, other, incident);
   m.depth_a = owner == pair.a ? ref_depth : inc_depth;
   m.depth_b = owner == pair.a ? inc_depth : ref_depth;
   return m;
@@ -132,27 +138,38 @@ Manifold polygon_polygon(const Pair& pair) {
   return clip(pair, reference);
 }
 
-Feature rim_against_point(Index circle, double radius, Index other, Vec2 point, double other_radius,
-                          std::uint64_t identity) {
+double radius_of(const Pair& pair, Index circle) {
+  return std::get<Circle>(pair.model.colliders[circle].shape).radius;
+}
+
+Vec2 centre_of(const Pair& pair, Index circle) {
+  return pair.frame(circle).to_world(pair.model.colliders[circle].centre);
+}
+
+Feature rim_of(const Pair& pair, Index circle) {
   Feature f;
+  f.corner_body = pair.owner(circle);
+  f.edge_body = pair.owner(pair.other(circle));
+  f.corner = pair.model.colliders[circle].centre;
+  f.radius = radius_of(pair, circle);
+  return f;
+}
+
+Feature rim_against_point(const Pair& pair, Index circle, Vec2 point, double other_radius,
+                          std::uint64_t identity) {
+  Feature f = rim_of(pair, circle);
   f.kind = FeatureKind::round;
-  f.corner_body = circle;
-  f.edge_body = other;
   f.edge_point = point;
-  f.radius = radius + other_radius;
+  f.radius += other_radius;
   f.other_radius = other_radius;
   f.identity = identity;
   return f;
 }
 
-Feature rim_against_edge(const Pair& pair, Index circle, double radius, Index polygon_body, Index edge) {
-  const auto& polygon = polygon_of(pair.model, polygon_body);
-  Feature f;
-  f.corner_body = circle;
-  f.edge_body = polygon_body;
-  f.edge_point = polygon.vertex(edge);
-  f.edge_normal = polygon.normal(edge);
-  f.radius = radius;
+Feature rim_against_edge(const Pair& pair, Index circle, Vec2 point, Vec2 normal, Index edge) {
+  Feature f = rim_of(pair, circle);
+  f.edge_point = point;
+  f.edge_normal = normal;
   f.identity = identity_of(circle == pair.b, 0, edge);
   return f;
 }
@@ -166,15 +183,15 @@ Manifold single(const Feature& feature, double gap, double margin) {
 
 constexpr Index corner_of_polygon = 1u << 30;  // tells "against corner i" from "against edge i"
 
-Manifold circle_polygon(const Pair& pair, Index circle, Index polygon_body) {
-  const double radius = std::get<Circle>(pair.model.shapes[circle]).radius;
-  const auto& polygon = polygon_of(pair.model, polygon_body);
-  const Vec2 centre = pair.frames[polygon_body].to_local(pair.frames[circle].position());
+Manifold circle_polygon(const Pair& pair, Index circle, Index other) {
+  const double radius = radius_of(pair, circle);
+  const auto& polygon = polygon_of(pair.model, other);
+  const Vec2 centre = pair.frame(other).to_local(centre_of(pair, circle));
   Index edge = 0;
   double separation = -std::numeric_limits<double>::infinity();
   for (Index e = 0; e < polygon.size(); ++e) {
     const double s = dot(polygon.normal(e), centre - polygon.vertex(e));
-    if (s > separation) separation = s, edge = e;
+    if (s > separation && !polygon.is_inner(e)) separation = s, edge = e;
   }
   const Vec2 tangent = turned(polygon.normal(edge));
   const double along = dot(tangent, centre - polygon.vertex(edge));
@@ -182,18 +199,54 @@ Manifold circle_polygon(const Pair& pair, Index circle, Index polygon_body) {
   if (separation > 0.0 && (along < 0.0 || along > length)) {
     const Index corner = (along < 0.0 ? edge : edge + 1) % static_cast<Index>(polygon.size());
     const Vec2 point = polygon.vertex(corner);
-    return single(rim_against_point(circle, radius, polygon_body, point, 0.0,
-                                    identity_of(circle == pair.b, corner_of_polygon, corner)),
-                  norm(centre - point) - radius, pair.margin);
+    return single(
+        rim_against_point(pair, circle, point, 0.0, identity_of(circle == pair.b, corner_of_polygon, corner)),
+        norm(centre - point) - radius, pair.margin);
   }
-  return single(rim_against_edge(pair, circle, radius, polygon_body, edge), separation - radius, pair.margin);
+  return single(rim_against_edge(pair, circle, polygon.vertex(edge), polygon.normal(edge), edge),
+                separation - radius, pair.margin);
 }
 
 Manifold circle_circle(const Pair& pair) {
-  const double ra = std::get<Circle>(pair.model.shapes[pair.a]).radius;
-  const double rb = std::get<Circle>(pair.model.shapes[pair.b]).radius;
-  const double gap = norm(pair.frames[pair.a].position() - pair.frames[pair.b].position()) - ra - rb;
-  return single(rim_against_point(pair.a, ra, pair.b, {}, rb, 0), gap, pair.margin);
+  const double ra = radius_of(pair, pair.a), rb = radius_of(pair, pair.b);
+  const double gap = norm(centre_of(pair, pair.a) - centre_of(pair, pair.b)) - ra - rb;
+  return single(rim_against_point(pair, pair.a, pair.model.colliders[pair.b].centre, rb, 0), gap,
+                pair.margin);
+}
+
+constexpr Vec2 up{0.0, 1.0};  // a half-plane's normal, in its frame
+
+Manifold circle_plane(const Pair& pair, Index circle, Index plane) {
+  const double height = pair.frame(plane).to_local(centre_of(pair, circle)).y;
+  return single(rim_against_edge(pair, circle, {}, up, 0), height - radius_of(pair, circle), pair.margin);
+}
+
+Feature corner_against_plane(const Pair& pair, Index polygon, Index plane, Index corner) {
+  const auto& corners = polygon_of(pair.model, polygon);
+  Feature f;
+  f.corner_body = pair.owner(polygon);
+  f.edge_body = pair.owner(plane);
+  f.corner = corners.vertex(corner);
+  f.edge_normal = up;
+  f.identity = identity_of(polygon == pair.b, corner % static_cast<Index>(corners.size()), 0);
+  return f;
+}
+
+// Both corners of the edge that faces the plane most.
+Manifold polygon_plane(const Pair& pair, Index polygon, Index plane) {
+  const auto& shape = polygon_of(pair.model, polygon);
+  const Frame &frame = pair.frame(polygon), &plane_frame = pair.frame(plane);
+  const Index edge = facing_edge(shape, frame.turned_to_local(plane_frame.turned_to_world(up)));
+  const auto seen = [&](Index corner) { return plane_frame.to_local(frame.to_world(shape.vertex(corner))); };
+  const Vec2 first = seen(edge), second = seen(edge + 1);
+  Manifold m;
+  if (std::min(first.y, second.y) > pair.margin) return m;
+  m.count = 2;
+  m.features = {corner_against_plane(pair, polygon, plane, edge),
+                corner_against_plane(pair, polygon, plane, edge + 1)};
+  m.length = std::abs(second.x - first.x);
+  (polygon == pair.a ? m.depth_a : m.depth_b) = distance_to_face(pair, polygon, edge);
+  return m;
 }
 
 }  // namespace
@@ -201,8 +254,14 @@ Manifold circle_circle(const Pair& pair) {
 Manifold find_manifold(const Model& model, std::span<const Frame> frames, Index a, Index b, double margin,
                        const Manifold& previous) {
   const Pair pair{model, frames, a, b, margin, previous};
-  const bool a_round = std::holds_alternative<Circle>(model.shapes[a]);
-  const bool b_round = std::holds_alternative<Circle>(model.shapes[b]);
+  const auto& shape_a = model.colliders[a].shape;
+  const auto& shape_b = model.colliders[b].shape;
+  const bool a_round = std::holds_alternative<Circle>(shape_a);
+  const bool b_round = std::holds_alternative<Circle>(shape_b);
+  if (std::holds_alternative<HalfPlane>(shape_b))
+    return a_round ? circle_plane(pair, a, b) : polygon_plane(pair, a, b);
+  if (std::holds_alternative<HalfPlane>(shape_a))
+    return b_round ? circle_plane(pair, b, a) : polygon_plane(pair, b, a);
   if (a_round && b_round) return circle_circle(pair);
   if (a_round) return circle_polygon(pair, a, b);
   if (b_round) return circle_polygon(pair, b, a);

@@ -7,7 +7,7 @@
 // "this corner, that edge", whichever polygon was the reference: its gap is a smooth function of the
 // two poses, and its force has a potential.
 // A circle touches an edge with its rim (a corner at the centre, rounded by the radius), or a corner or
-// another circle along the line of centres.
+// another circle along the line of centres. A half-plane is an edge without ends.
 #pragma once
 
 #include <array>
@@ -35,7 +35,7 @@ struct Feature {
 /// The reference edge chosen last time: kept while it is as good as the best, so that two equally deep
 /// axes do not alternate.
 struct ReferenceEdge {
-  Index owner = 0;
+  Index owner = 0;  // collider
   Index edge = 0;
   bool known = false;
 };
@@ -44,12 +44,12 @@ struct Manifold {
   std::array<Feature, 2> features;
   Index count = 0;
   double length = 0.0;   // m, of the clipped interval; 0 for circles
-  double depth_a = 0.0;  // m, from a's centroid to its own face
+  double depth_a = 0.0;  // m, from the centre of a to its own face
   double depth_b = 0.0;  // m, likewise for b
   ReferenceEdge reference;
 };
 
-/// Features of the pair (a, b), a < b, none if the shapes are further apart than `margin`. `previous`
+/// Features of the pair of colliders (a, b), a < b, none if they are further apart than `margin`. `previous`
 /// is the pair's last manifold: its choices are kept where the geometry is undecided.
 Manifold find_manifold(const Model& model, std::span<const Frame> frames, Index a, Index b, double margin,
                        const Manifold& previous);

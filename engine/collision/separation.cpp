@@ -36,10 +36,12 @@ double separation_along(const ConvexPolygon& owner, const Frame& owner_frame, In
 Axis greatest_separation(const ConvexPolygon& owner, const Frame& owner_frame, const ConvexPolygon& other,
                          const Frame& other_frame) {
   const Relative r = seen_from(owner_frame, other_frame);
-  Axis best{-std::numeric_limits<double>::infinity(), 0};
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Axis best{-infinity, -infinity, 0};
   for (Index e = 0; e < owner.size(); ++e) {
     const double separation = lowest_vertex(owner, e, other, r);
-    if (separation > best.separation) best = {separation, e};
+    best.separation = std::max(best.separation, separation);
+    if (separation > best.outer && !owner.is_inner(e)) best.outer = separation, best.edge = e;
   }
   return best;
 }

@@ -11,8 +11,9 @@
 namespace dougong::engine {
 
 struct Axis {
-  double separation = 0.0;  // m
-  Index edge = 0;
+  double separation = 0.0;  // m, the greatest of all edges
+  double outer = 0.0;       // m, the greatest of those that can be touched
+  Index edge = 0;           // that one
 };
 
 /// The edge of `owner` with the greatest separation from `other`.

@@ -121,15 +121,17 @@ bool ContactSet::moved_beyond_skin(const Model& model, std::span<const Frame> fr
 void ContactSet::rebuild_pairs(const Model& model, std::span<const Frame> frames) {
   std::vector<ContactPair> pairs;
   auto old = pairs_.begin();
-  for (const BodyPair bodies : find_pairs(model, frames, skin_)) {
-    while (old != pairs_.end() && old->bodies < bodies) ++old;
-    if (old != pairs_.end() && old->bodies == bodies) {
+  for (const BodyPair colliders : find_pairs(model, frames, skin_)) {
+    while (old != pairs_.end() && old->colliders < colliders) ++old;
+    if (old != pairs_.end() && old->colliders == colliders) {
       pairs.push_back(*old);
       continue;
     }
+    const Collider &a = model.colliders[colliders.a], &b = model.colliders[colliders.b];
     ContactPair pair;
-    pair.bodies = bodies;
-    pair.margin = margin_ratio * std::min(model.minimum_width[bodies.a], model.minimum_width[bodies.b]);
+    pair.colliders = colliders;
+    pair.bodies = {a.owner, b.owner};
+    pair.margin = margin_ratio * std::min(a.minimum_width, b.minimum_width);
     pair.seen_angle = std::numeric_limits<double>::infinity();  // never seen: has moved
     pairs.push_back(pair);
   }
@@ -168,9 +170,8 @@ void ContactSet::write_points(const Model& model, std::span<const Frame> frames,
 
 bool ContactSet::refresh(const Model& model, std::span<const Frame> frames, ContactPair& pair,
                          bool& activity_changed) {
-  const auto [a, b] = pair.bodies;
   const Manifold old = pair.manifold;
-  pair.manifold = find_manifold(model, frames, a, b, pair.margin, old);
+  pair.manifold = find_manifold(model, frames, pair.colliders.a, pair.colliders.b, pair.margin, old);
   const bool active = pair.manifold.count > 0;
   if (active != pair.active) {
     activity_changed = true;

@@ -12,7 +12,8 @@
 namespace dougong::engine {
 
 struct ContactPair {
-  BodyPair bodies;
+  BodyPair colliders;
+  BodyPair bodies;      // their owners, a < b
   double margin = 0.0;  // m
   Manifold manifold;
   Index first_point = 0;  // of two, if active

@@ -61,7 +61,7 @@ PointStiffness point_stiffness(const Model& model, std::span<const Frame> frames
                                const Feature& feature, Index a, Index b) {
   const Placement p = placement_of(frames, feature);
   const Index corner = feature.corner_body, edge = feature.edge_body;
-  const double xi = 0.5 * (model.materials[a].damping_ratio + model.materials[b].damping_ratio);
+  const auto [friction, xi] = model.rule(a, b);
   PointStiffness s;
   s.normal = normal_stiffness(model, manifold, a, b);
   s.tangential = s.normal * tangential_ratio(model, a, b);
@@ -69,7 +69,7 @@ PointStiffness point_stiffness(const Model& model, std::span<const Frame> frames
   const double mt = felt_mass(model, corner, edge, p.arm_corner, p.arm_edge, turned(p.normal));
   s.normal_damping = 2.0 * xi * std::sqrt(s.normal * mn);
   s.tangential_damping = 2.0 * xi * std::sqrt(s.tangential * mt);
-  s.friction = std::min(model.materials[a].friction_coefficient, model.materials[b].friction_coefficient);
+  s.friction = friction;
   return s;
 }
 

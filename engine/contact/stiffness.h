@@ -7,8 +7,9 @@
 // Round contacts: the near-linear stiffness of parallel cylinders (Johnson, Contact Mechanics, 1985,
 //   section 5.6): kn = pi/4 E* t, 1/E* = (1-nu_a^2)/E_a + (1-nu_b^2)/E_b, rigid terrain left out.
 // Damping: cn = 2 xi sqrt(kn m_n), m_n = 1/(1/m_a + 1/m_b + r_a^2/I_a + r_b^2/I_b) the mass that the
-//   point feels along its normal; ct likewise. xi is the mean of the two materials' ratios.
-// Friction: the smaller of the two coefficients.
+//   point feels along its normal; ct likewise.
+// Two materials: the smaller friction coefficient and the mean damping ratio, unless the scene gives the pair
+// its own.
 #pragma once
 
 #include "engine/collision/manifold.h"

@@ -1,4 +1,4 @@
-#include "engine/material.h"
+#include "engine/model.h"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +8,7 @@
 
 #include "tests/engine/reference.h"
 #include "tests/oracles/impact.h"
+#include "tests/scenes/blocks.h"
 
 namespace dougong::engine {
 namespace {
@@ -46,6 +47,30 @@ TEST(DampingRatio, IsTheInverseOfRestitution) {
   EXPECT_THROW(damping_ratio_for_restitution(0.0), std::invalid_argument);
   EXPECT_THROW(damping_ratio_for_restitution(1.1), std::invalid_argument);
   EXPECT_THROW(restitution_for_damping_ratio(-0.1), std::invalid_argument);
+}
+
+// Two materials follow the rule for any two, unless the scene says otherwise for that pair, in either order.
+TEST(MaterialPair, OverridesTheRuleForAnyTwo) {
+  Scene s;
+  Material stone, ptfe;
+  stone.name = "stone", stone.friction_coefficient = 0.7, stone.damping_ratio = 1.0;
+  ptfe.name = "ptfe", ptfe.friction_coefficient = 0.1, ptfe.damping_ratio = 0.2;
+  s.materials = {stone, ptfe};
+  s.bodies.push_back(scenes::block(0.5, 0.5, {0.0, 0.5}));
+  Terrain ground{"ground", HalfPlane{}, {}, 0.0, 1, nullptr};
+  s.terrains.push_back(ground);
+  const Model any = compile(s);
+  EXPECT_EQ(any.rule(0, 1).friction_coefficient, 0.1);
+  EXPECT_EQ(any.rule(1, 0).damping_ratio, 0.6);
+  s.material_pairs.push_back({1, 0, 0.04, std::nullopt});
+  const Model own = compile(s);
+  EXPECT_EQ(own.rule(0, 1).friction_coefficient, 0.04);
+  EXPECT_EQ(own.rule(1, 0).friction_coefficient, 0.04);
+  EXPECT_EQ(own.rule(0, 1).damping_ratio, 0.6);
+  s.material_pairs.back().friction_coefficient = -1.0;
+  EXPECT_THROW(compile(s), std::invalid_argument);
+  s.material_pairs.back() = {0, 7, 0.5, std::nullopt};
+  EXPECT_THROW(compile(s), std::invalid_argument);
 }
 
 }  // namespace
