@@ -42,8 +42,13 @@ std::string path_of(const std::vector<Vec2>& world, const Sheet& sheet) {
   return out + "Z";
 }
 
-std::string terrain_part(const DrawnShape& terrain, const Sheet& sheet) {
-  const auto outline = corners(terrain, described_pose(terrain));
+/// Ground is cut a little outside the picture, so that no cut edge is seen.
+double hatched_beyond(const Sheet& sheet) {
+  return 20.0 / sheet.camera.pixels_per_metre;
+}
+
+std::string ground_part(const std::vector<Vec2>& outline, const Sheet& sheet) {
+  if (outline.size() < 3) return "";
   std::string out =
       fmt::format("<path d=\"{}\" fill=\"{}\"/>\n", path_of(outline, sheet), to_hex(ink::terrain));
   for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -62,12 +67,20 @@ std::string terrain_part(const DrawnShape& terrain, const Sheet& sheet) {
   return out;
 }
 
+std::string terrain_part(const DrawnShape& terrain, const Sheet& sheet) {
+  std::string out;
+  for (const auto& outline : outlines(terrain, described_pose(terrain)))
+    out += ground_part(clipped_outline(outline, sheet.camera.box.grown(hatched_beyond(sheet))), sheet);
+  return out;
+}
+
 std::string block_part(const DrawnShape& block, const Sheet& sheet) {
   const Colour tint = block.storey < 0
                           ? ink::block
                           : mixed(category(static_cast<std::size_t>(block.storey)), ink::white, 0.66);
-  return fmt::format("<path d=\"{}\" fill=\"{}\"><title>{}: {}</title></path>\n",
-                     path_of(corners(block, described_pose(block)), sheet), to_hex(tint),
+  std::string paths;
+  for (const auto& outline : outlines(block, described_pose(block))) paths += path_of(outline, sheet);
+  return fmt::format("<path d=\"{}\" fill=\"{}\"><title>{}: {}</title></path>\n", paths, to_hex(tint),
                      escape_markup(block.name), escape_markup(mass_text(block.mass)));
 }
 

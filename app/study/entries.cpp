@@ -4,6 +4,8 @@
 
 #include <toml++/toml.h>
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <sstream>
 #include <tuple>
 
@@ -91,6 +93,20 @@ void mark_typed(Entry& entry, const std::string& place) {
 }
 
 }  // namespace
+
+std::string load_text(const std::filesystem::path& path, const std::string& expected) {
+  const auto refuse = [&](const std::string& found) {
+    throw ScenarioError({{path.string(), fmt::format("expected {}, found {}", expected, found)}});
+  };
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) refuse("a folder");
+  std::ifstream file(path, std::ios::binary);
+  if (!file) refuse("nothing that can be read");
+  const auto size = std::filesystem::file_size(path, error);
+  if (!error && size > largest_text_file)
+    refuse(fmt::format("a file of {} MB; at most {} MB are read", size >> 20, largest_text_file >> 20));
+  return {std::istreambuf_iterator<char>(file), {}};
+}
 
 Entry entry_tree(const std::string& text, const std::string& source) {
   try {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <variant>
 #include <vector>
@@ -33,6 +34,11 @@ struct Entry {
   std::uint32_t column = 0;  // too
   bool typed = false;        // on the command line: text whose meaning the key decides
 };
+
+/// The largest text that is read (bytes): a scene of a hundred thousand bodies has a tenth of it.
+inline constexpr std::uintmax_t largest_text_file = std::uintmax_t{256} << 20;
+/// The bytes of a text file. Throws ScenarioError for what is not there, a folder, or too large a file.
+std::string load_text(const std::filesystem::path& path, const std::string& expected);
 
 /// The whole text as one table. Throws ScenarioError for text that is not TOML.
 Entry entry_tree(const std::string& text, const std::string& source);

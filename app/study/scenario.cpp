@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 
 #include "app/study/entries.h"
 #include "app/study/key_values.h"
@@ -231,13 +229,7 @@ Scenario read_scenario(const std::string& text, const std::string& source,
 
 Scenario load_scenario(const std::filesystem::path& path, const std::vector<Override>& overrides,
                        RecordRule rule) {
-  std::error_code error;
-  if (std::filesystem::is_directory(path, error))
-    throw ScenarioError({{path.string(), "expected a scenario file, found a folder"}});
-  std::ifstream file(path, std::ios::binary);
-  if (!file)
-    throw ScenarioError({{path.string(), "expected a scenario file, found nothing that can be read"}});
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  const std::string text = load_text(path, "a scenario file");
   std::vector<Entry> entries = entries_of_toml(text, path.string());
   find_record_beside(path, entries);
   return read_entries(std::move(entries), path.string(), overrides, rule);

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <set>
 
 #include "app/study/key_values.h"
@@ -213,20 +211,6 @@ SceneDescription read_scene(const std::string& text, const std::string& source,
   Entry root = entry_tree(text, source);
   apply_scene_overrides(root, overrides);
   return Reader(root, source).read();
-}
-
-std::string load_text(const std::filesystem::path& path, const std::string& expected) {
-  const auto refuse = [&](const std::string& found) {
-    throw ScenarioError({{path.string(), fmt::format("expected {}, found {}", expected, found)}});
-  };
-  std::error_code error;
-  if (std::filesystem::is_directory(path, error)) refuse("a folder");
-  std::ifstream file(path, std::ios::binary);
-  if (!file) refuse("nothing that can be read");
-  const auto size = std::filesystem::file_size(path, error);
-  if (!error && size > largest_scene_file)
-    refuse(fmt::format("a file of {} MB; at most {} MB are read", size >> 20, largest_scene_file >> 20));
-  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 SceneDescription load_scene(const std::filesystem::path& path, const std::vector<Override>& overrides) {

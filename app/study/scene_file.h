@@ -13,9 +13,6 @@
 
 namespace dougong::app {
 
-/// The largest file that is read (bytes): a scene of a hundred thousand bodies has a tenth of it.
-inline constexpr std::uintmax_t largest_scene_file = std::uintmax_t{256} << 20;
-
 /// Overrides win over the text. Their keys are "solve.duration", "body.NAME.mass", "materials.NAME.friction",
 /// "terrain.NAME.motion.pga", or the last word alone of a key of solve, output, fields or contact. Throws
 /// ScenarioError.
@@ -29,8 +26,5 @@ std::string to_toml(const SceneDescription& description);
 
 /// Whether a TOML text describes a scene (true) or a scenario. Throws ScenarioError for what is no TOML.
 bool describes_a_scene(const std::string& text, const std::string& source);
-
-/// The bytes of a text file. Throws ScenarioError for what is not there, a folder, or too large a file.
-std::string load_text(const std::filesystem::path& path, const std::string& expected);
 
 }  // namespace dougong::app
