@@ -206,6 +206,7 @@ std::string print_value(double value, Dimension dimension) {
     if (unit.dimension != dimension || !is_written_in(unit, value)) continue;
     const std::string text = text_in(unit, value);
     if (!text.empty() && (best.empty() || text.size() < best.size())) best = text;
+    if (value == 0.0 && !best.empty()) break;  // nothing is zero kilograms, not zero tonnes
   }
   // Not exact in any unit that is written, or not finite: the SI unit changes no digit.
   return best.empty() ? print_number(value) + " " + si_symbol(dimension) : best;

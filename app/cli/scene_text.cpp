@@ -19,14 +19,14 @@ std::string counts_text(const PreparedScene& p) {
 }
 
 std::string frequency_text(double highest) {
-  if (!(highest > 0.0)) return "none: nothing can vibrate as it stands";
+  if (!(highest > 0.0)) return "none yet: nothing touches";
   return fmt::format("at most {} Hz, by Gershgorin's bound", significant(highest, 3));
 }
 
 std::string step_text(const PreparedScene& p) {
   if (!std::isfinite(p.plan.bound))
-    return fmt::format("{}, {} (nothing touches: no stability bound yet)", p.drive.integrator,
-                       time_text(p.plan.step));
+    return fmt::format("{}, {} until something touches; then the step follows the contacts",
+                       p.drive.integrator, time_text(p.plan.step));
   return fmt::format("{}, {}, {:.0f} % of the stability bound of {}", p.drive.integrator,
                      time_text(p.plan.step), 100.0 * p.plan.step / p.plan.bound, time_text(p.plan.bound));
 }
@@ -64,6 +64,9 @@ std::vector<std::string> scene_text(const PreparedScene& p) {
 }
 
 std::string cost_text(const PreparedScene& p) {
+  if (!std::isfinite(p.plan.bound))
+    return row("cost", fmt::format("at least {}; contacts that close need shorter steps",
+                                   time_text(p.estimated_seconds)));
   return row("cost",
              fmt::format("about {} for {:.4g} s simulated ({:.0f} steps), measured on a short trial",
                          time_text(p.estimated_seconds), p.drive.end_time, p.drive.end_time / p.plan.step));

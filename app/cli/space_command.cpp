@@ -62,6 +62,7 @@ int space_command(const SpaceOptions& options) {
   SceneDescription& description = input.description;
   description.solve.duration = duration;
   description.output.film = true;
+  if (!options.file.empty()) description.head.title = fs::path(options.file).stem().string();
   if (!options.out.empty()) description.output.directory = options.out;
   make_paths_absolute(description);
   Terminal terminal(stdout);

@@ -300,10 +300,15 @@ void draw_header(Image& image, const Fonts& fonts, const std::string& title, con
   fonts.text.draw(image, fonts.text.cut(line, most), page_margin * s, 42 * s, ink::quiet);
 }
 
+/// The fonts of pictures have no raised digits: stars are written plainly.
+std::string drawn_mass(double kilograms) {
+  return kilograms < 1e9 ? mass_text(kilograms) : fmt::format("{:.3g} kg", kilograms);
+}
+
 /// What shakes it; of a scene that stands still, what it is.
 std::string shaken_by(const RunResult& run) {
   if (!run.motion.title.empty() || !run.model.free_scene) return "on " + run.motion.title;
-  return plural(run.model.blocks.size(), "body") + ", " + mass_text(run.model.mass);
+  return plural(run.model.blocks.size(), "body") + ", " + drawn_mass(run.model.mass);
 }
 
 constexpr double header_height = 54;  // px at 1x
@@ -517,7 +522,7 @@ Image draw_model(const ModelSheet& model) {
   draw_scale_bar(image, fonts, page_margin * s, foot, camera.pixels_per_metre, s);
   const std::string counts = model.free_scene ? plural(model.blocks.size(), "body")
                                               : "Colour: storey. " + plural(model.blocks.size(), "block");
-  fonts.small.draw(image, counts + ", " + mass_text(model.mass) + ".", page_margin * s, foot + 32 * s,
+  fonts.small.draw(image, counts + ", " + drawn_mass(model.mass) + ".", page_margin * s, foot + 32 * s,
                    ink::quiet);
   return image;
 }

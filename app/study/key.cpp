@@ -86,7 +86,7 @@ std::string range_of(const KeyFacts& key, const Slot& slot) {
   const std::string least = key.least == above_zero ? "above " + print(0.0) : "from " + print(key.least);
   if (from && to) return fmt::format("{} to {}", least, print(key.most));
   if (from) return key.least == above_zero ? least : "at least " + print(key.least);
-  return to ? "at most " + print(key.most) : "";
+  return to ? "at most " + print(key.most) : "any";
 }
 
 std::string toml_value(const KeyFacts& key, const Slot& slot) {

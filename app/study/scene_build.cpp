@@ -128,9 +128,15 @@ double damping_ratio_of(const std::optional<double>& damping_ratio, const std::o
   return damping_ratio.value_or(standard);
 }
 
+/// What a material starts from: the preset that is named, that of its own name, or concrete.
+const engine::MaterialPreset* preset_of(const MaterialChoice& choice) {
+  if (!choice.preset.empty()) return engine::find_material_preset(choice.preset);
+  const engine::MaterialPreset* own = engine::find_material_preset(choice.name);
+  return own ? own : engine::find_material_preset("concrete");
+}
+
 engine::Material material_of(const MaterialChoice& choice) {
-  const engine::MaterialPreset* preset =
-      engine::find_material_preset(choice.preset.empty() ? "concrete" : choice.preset);
+  const engine::MaterialPreset* preset = preset_of(choice);
   engine::Material m = preset ? preset->material : engine::Material{};
   m.name = choice.name;
   m.density = choice.density.value_or(m.density);
@@ -139,6 +145,13 @@ engine::Material material_of(const MaterialChoice& choice) {
   m.friction_coefficient = choice.friction.value_or(m.friction_coefficient);
   m.damping_ratio = damping_ratio_of(choice.damping_ratio, choice.restitution, m.damping_ratio);
   return m;
+}
+
+std::vector<std::string> preset_names() {
+  std::vector<std::string> names;
+  for (const engine::MaterialPreset& preset : engine::material_presets())
+    names.push_back(preset.material.name);
+  return names;
 }
 
 Vec2 into_frame(Vec2 point, Vec2 position, double angle) {
@@ -181,6 +194,7 @@ class Builder {
   void add_material(const MaterialChoice& choice) {
     if (choice.damping_ratio && choice.restitution)
       fail("restitution", "damping_ratio and restitution exclude each other");
+    if (!preset_of(choice)) fail("preset", unknown("preset", choice.preset, preset_names()));
     out_.scene.materials.push_back(material_of(choice));
   }
 
@@ -198,10 +212,9 @@ class Builder {
   }
 
   std::string unknown_material(const std::string& name) const {
-    std::vector<std::string> known;
-    for (const engine::Material& m : out_.scene.materials) known.push_back(m.name);
-    for (const engine::MaterialPreset& p : engine::material_presets())
-      if (!contains(known, p.material.name)) known.push_back(p.material.name);
+    std::vector<std::string> known = preset_names();
+    for (const engine::Material& m : out_.scene.materials)
+      if (!contains(known, m.name)) known.push_back(m.name);
     return unknown("material", name, known);
   }
 

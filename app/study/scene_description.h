@@ -17,7 +17,7 @@ namespace dougong::app {
 
 struct MaterialChoice {
   std::string name;
-  std::string preset;  // what is not given comes from it; empty: concrete
+  std::string preset;  // what is not given comes from it; empty: that of its name, else concrete
   std::optional<double> density, young_modulus, poisson_ratio, friction, damping_ratio;
   std::optional<double> restitution;  // instead of damping_ratio
 };

@@ -1,11 +1,8 @@
 #include "app/study/scene_keys.h"
 
 #include <algorithm>
-#include <numbers>
-#include <stdexcept>
 
 #include "app/study/scenario_keys.h"
-#include "engine/material_presets.h"
 
 namespace dougong::app {
 namespace {
@@ -13,7 +10,6 @@ namespace {
 using enum Dimension;
 
 constexpr double endless = std::numeric_limits<double>::infinity();
-constexpr double turns = 1e6 * std::numbers::pi;  // rad, an angle that is surely meant otherwise
 
 template <class Owner>
 using Place = Slot (*)(Owner&);
@@ -34,13 +30,6 @@ Key<Owner> number(const char* name, Place<Owner> slot, Dimension dimension, doub
 template <class Owner>
 Key<Owner> value(const char* name, Place<Owner> slot, Dimension dimension, const char* meaning) {
   return number<Owner>(name, slot, dimension, -endless, endless, meaning);
-}
-
-std::vector<std::string> preset_names() {
-  std::vector<std::string> names;
-  for (const engine::MaterialPreset& preset : engine::material_presets())
-    names.push_back(preset.material.name);
-  return names;
 }
 
 std::vector<std::string> shapes_where(bool ShapeWord::*allowed) {
@@ -69,8 +58,7 @@ void add_shape(std::vector<Key<Owner>>& keys, bool ShapeWord::*allowed) {
       value<Owner>("position", AT(Owner, shape.position), length,
                    "where the origin of the shape's frame is: the centre of a circle or rectangle, the "
                    "origin of the corners or parts"),
-      number<Owner>("angle", AT(Owner, shape.angle), angle, -turns, turns,
-                    "how far that frame is turned, anticlockwise"),
+      value<Owner>("angle", AT(Owner, shape.angle), angle, "how far that frame is turned, anticlockwise"),
   };
   keys.insert(keys.end(), std::begin(more), std::end(more));
 }
@@ -93,9 +81,10 @@ std::vector<Key<BodyChoice>> body_keys() {
                 "none: density times area times thickness"),
       number<B>("thickness", AT(B, thickness), length, above_zero, endless, "out of the plane"),
       value<B>("charge", AT(B, charge), Dimension::charge, "for fields.coulomb_constant and electric_field"),
-      number<B>("linear_drag", AT(B, linear_drag), damping, 0, endless, "c of the force -c v"),
+      number<B>("linear_drag", AT(B, linear_drag), damping, 0, endless,
+                "c of the force c v against the velocity"),
       number<B>("quadratic_drag", AT(B, quadratic_drag), Dimension::quadratic_drag, 0, endless,
-                "c of the force -c |v| v"),
+                "c of the force c v2 against the velocity"),
   };
   keys.insert(keys.end(), std::begin(more), std::end(more));
   return keys;
@@ -119,12 +108,10 @@ std::vector<Key<TerrainChoice>> terrain_keys() {
 std::vector<Key<MaterialChoice>> material_keys() {
   using M = MaterialChoice;
   return {
-      text<M>("preset", AT(M, preset), "where what is not given comes from; empty: concrete",
-              [] {
-                auto names = preset_names();
-                names.insert(names.begin(), "");
-                return names;
-              }()),
+      text<M>(
+          "preset", AT(M, preset),
+          "where what is not given comes from: concrete, brick, stone, timber, steel, rubber, glass, ptfe; "
+          "empty: the one of the material's own name, else concrete"),
       number<M>("density", AT(M, density), Dimension::density, above_zero, endless, "mass per volume"),
       number<M>("young_modulus", AT(M, young_modulus), pressure, above_zero, endless,
                 "decides how stiff contacts are, and the step"),
@@ -152,10 +139,10 @@ std::vector<Key<MaterialPairChoice>> pair_keys() {
 std::vector<Key<HarmonicChoice>> harmonic_keys() {
   using H = HarmonicChoice;
   return {
-      number<H>("amplitude", AT(H, amplitude), acceleration, -endless, endless,
-                "A of the acceleration A sin(2 pi f t), from rest"),
+      value<H>("amplitude", AT(H, amplitude), acceleration,
+               "A of the acceleration A sin(2 pi f t), from rest"),
       number<H>("frequency", AT(H, frequency), Dimension::frequency, above_zero, endless, "f"),
-      number<H>("direction", AT(H, direction), angle, -turns, turns, "anticlockwise from the horizontal"),
+      value<H>("direction", AT(H, direction), angle, "anticlockwise from the horizontal"),
   };
 }
 
