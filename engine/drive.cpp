@@ -58,6 +58,7 @@ class Runner {
         integrator_(make_integrator(options.integrator)),
         dynamics_(model, state, options.terrain_held_still, options.local_damping),
         accelerations_(3 * model.body_count),
+        broken_(state.bonds.broken),
         intervals_(choose_intervals(options.terrain_held_still ? 0.0 : model.knot_interval(),
                                     options.output_interval)) {}
 
@@ -170,7 +171,16 @@ class Runner {
     state_.work.input += work.values[0];
     state_.work.damping += work.values[1];
     state_.work.tangential += work.values[2];
+    state_.work.bonds += work.values[3];
     ++outcome_.steps;
+    if (state_.bonds.broken != broken_) let_go();
+  }
+
+  // What a bond held can touch from now on.
+  void let_go() {
+    broken_ = state_.bonds.broken;
+    state_.contacts.keep_apart(held_pairs(model_, state_.bonds));
+    countdown_ = 1;  // the step that ends now is counted yet
   }
 
   std::string health_problem() {
@@ -212,6 +222,7 @@ class Runner {
   AnyIntegrator integrator_;
   Dynamics dynamics_;
   std::vector<double> accelerations_;
+  std::size_t broken_;  // points of bonds
   Intervals intervals_;
   RunOutcome outcome_;
   EnergyTurnover turnover_;

@@ -21,6 +21,7 @@ Powers Dynamics::accelerate(double t, std::span<const double> q, std::span<const
   loads_.resize(state_.contacts.points.size());
   const ContactTotals totals = contact_forces(state_.contacts.points, frames_, begins_step, loads_);
   state_.contacts.gather(loads_, forces_, torques_);
+  const LinkTotals links = add_links(begins_step);
   const std::size_t n = model_.body_count;
   for (std::size_t i = 0; i < n; ++i) {
     a[i] = forces_[i].x / model_.mass[i] + model_.gravity.x;
@@ -30,9 +31,26 @@ Powers Dynamics::accelerate(double t, std::span<const double> q, std::span<const
   if (local_damping_ > 0.0) damp_locally(v, a);
   if (begins_step) {
     note_deepest(t, totals);
-    work_ = {{terrain_work(), totals.damping_work, totals.tangential_work}};
+    work_ = {
+        {terrain_work(), totals.damping_work + links.damping_work, totals.tangential_work, links.bond_work}};
   }
-  return terrain_power(totals);
+  return {{terrain_power(), totals.damping_power + links.damping_power, totals.tangential_power,
+           links.bond_power}};
+}
+
+// Joints and bonds; a scene without them pays two tests.
+Dynamics::LinkTotals Dynamics::add_links(bool commit) {
+  LinkTotals totals;
+  if (!model_.joints.empty()) {
+    const JointTotals t = add_joint_forces(model_, state_.joints, frames_, commit, forces_, torques_);
+    totals.damping_power += t.damping_power, totals.damping_work += t.damping_work;
+  }
+  if (!model_.bond_points.empty()) {
+    const BondTotals t = add_bond_forces(model_, state_.bonds, frames_, commit, forces_, torques_);
+    totals.damping_power += t.damping_power, totals.damping_work += t.damping_work;
+    totals.bond_power = t.spring_power, totals.bond_work = t.spring_work;
+  }
+  return totals;
 }
 
 void Dynamics::damp_locally(std::span<const double> v, std::span<double> a) const {
@@ -43,11 +61,11 @@ void Dynamics::damp_locally(std::span<const double> v, std::span<double> a) cons
 }
 
 // The terrains' work on the bodies: minus the force they bear, times their velocity.
-Powers Dynamics::terrain_power(const ContactTotals& totals) const {
+double Dynamics::terrain_power() const {
   double input = 0.0;
   for (std::size_t j = model_.body_count; j < model_.size(); ++j)
     input -= dot(forces_[j], frames_[j].velocity());
-  return {{input, totals.damping_power, totals.tangential_power}};
+  return input;
 }
 
 double Dynamics::terrain_work() {

@@ -1,4 +1,4 @@
-// The equations of motion of a scene: M q'' = gravity + contact, as an integrator sees them.
+// The equations of motion of a scene: M q'' = gravity + contact + joints + bonds, as an integrator sees them.
 #pragma once
 
 #include "engine/integrators/integrator.h"
@@ -26,7 +26,12 @@ class Dynamics {
 
  private:
   void damp_locally(std::span<const double> v, std::span<double> a) const;
-  Powers terrain_power(const ContactTotals& totals) const;
+  struct LinkTotals {
+    double damping_power = 0.0, bond_power = 0.0;  // W
+    double damping_work = 0.0, bond_work = 0.0;    // J, since the last commit
+  };
+  LinkTotals add_links(bool commit);
+  double terrain_power() const;
   double terrain_work();
   void note_deepest(double t, const ContactTotals& totals);
 

@@ -24,11 +24,14 @@ Energies energies_of(const Model& model, const State& state) {
     e.kinetic += 0.5 * model.inertia[i] * v[2 * n + i] * v[2 * n + i];
     e.gravity -= model.mass[i] * (model.gravity.x * q[i] + model.gravity.y * q[n + i]);
   }
-  const StoredEnergy stored = stored_energy(state.contacts.points, frames_of(model, state));
-  e.elastic = stored.normal + stored.tangential;
+  const auto frames = frames_of(model, state);
+  const StoredEnergy stored = stored_energy(state.contacts.points, frames);
+  const double in_bonds = bond_energy(model, state.bonds, frames);
+  e.elastic = stored.normal + stored.tangential + in_bonds + joint_energy(model, frames);
   e.input = state.work.input;
   e.damping = state.work.damping;
   e.friction = state.work.tangential - stored.tangential;
+  e.fracture = state.work.bonds - in_bonds;
   return e;
 }
 

@@ -1,6 +1,6 @@
 // The energy ledger of a scene (J).
 //
-//   error = (kinetic + gravity + elastic + friction + damping - input) - (the same at the start)
+//   error = (kinetic + gravity + elastic + friction + fracture + damping - input) - (the same at the start)
 //
 // input, damping and the tangential work are cumulated by the integrator: those with one evaluation a step
 // take the trapezoidal rule along the displacements, 1/2 (F(n) + F(n+1)) . (q(n+1) - q(n)), for which the
@@ -18,7 +18,8 @@ namespace dougong::engine {
 
 struct Energies {
   double input = 0.0, kinetic = 0.0, gravity = 0.0, elastic = 0.0, friction = 0.0, damping = 0.0;
-  double balance() const { return kinetic + gravity + elastic + friction + damping - input; }
+  double fracture = 0.0;  // lost in bonds: broken, yielded, rubbed
+  double balance() const { return kinetic + gravity + elastic + friction + fracture + damping - input; }
 };
 
 Energies energies_of(const Model& model, const State& state);

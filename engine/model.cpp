@@ -4,6 +4,9 @@
 #include <limits>
 #include <stdexcept>
 
+#include "engine/bonds/bonds.h"
+#include "engine/bonds/joints.h"
+
 namespace dougong::engine {
 namespace {
 
@@ -138,6 +141,9 @@ Model compile(const Scene& scene) {
   add_rules(model, scene);
   for (const Body& body : scene.bodies) add_body(model, scene, body);
   for (const Terrain& terrain : scene.terrains) add_terrain(model, scene, terrain);
+  model.joints = compile_joints(scene, model);
+  model.bond_points = compile_bonds(scene, model);
+  for (const Bond& bond : scene.bonds) model.bond_names.push_back(bond.name);
   return model;
 }
 

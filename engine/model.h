@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/bonds/elements.h"
 #include "engine/collision/collider.h"
 #include "engine/scene.h"
 
@@ -40,6 +41,10 @@ struct Model {
   std::vector<double> bounding_radius;      // m, about the centroid
   std::vector<double> minimum_width;        // m
   std::vector<Collider> colliders;          // of all bodies, then of all terrains
+
+  std::vector<JointElement> joints;
+  std::vector<BondPoint> bond_points;  // two a bond
+  std::vector<std::string> bond_names;
 
   std::vector<Vec2> terrain_position;  // m, relative to origin, at zero displacement
   std::vector<double> terrain_angle;   // rad

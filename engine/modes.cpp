@@ -91,6 +91,44 @@ Krylov lanczos(const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>& factor,
   return k;
 }
 
+// Bonds as points too: b's anchor is the corner, a's face the edge.
+Matrix6 bond_tangent(const BondPoint& p, const BondHistory& history, const BondGeometry& b) {
+  PointGeometry g;
+  g.normal = b.normal, g.arm_corner = b.arm_b, g.arm_edge = b.arm_a;
+  const double e = b.opening - history.plastic;
+  if (history.broken && e > 0.0) return Matrix6::Zero();
+  const double k = e > 0.0 ? softened_tension(p.law, e, std::max(e, history.widest)) / e : p.law.normal;
+  const Vector6 jn = jacobian(g.normal, g), jt = jacobian(turned(g.normal), g);
+  return k * jn * jn.transpose() + k * e * gap_curvature(g) + p.law.tangential * jt * jt.transpose();
+}
+
+// V(u), u the separation: K = k_along J J' + k_across J J' + F . d2u, d2u/dtheta2 = arms towards the
+// centroids.
+Matrix6 joint_tangent(const JointElement& j, const JointGeometry& g) {
+  PointGeometry p;
+  p.arm_corner = g.arm_b, p.arm_edge = g.arm_a;
+  const double length = norm(g.separation);
+  const Vec2 along = j.axial() && length > 0.0 ? (1.0 / length) * g.separation : Vec2{1.0, 0.0};
+  const double across = !j.axial() ? j.stiffness : length > 0.0 ? dot(g.spring, along) / length : 0.0;
+  const Vector6 ja = jacobian(along, p), jc = jacobian(turned(along), p);
+  Matrix6 k = j.stiffness * ja * ja.transpose() + across * jc * jc.transpose();
+  k(2, 2) -= dot(g.spring, g.arm_b);
+  k(5, 5) += dot(g.spring, g.arm_a);
+  Vector6 turn = Vector6::Zero();
+  turn[2] = 1.0, turn[5] = -1.0;
+  return k + j.rotational_stiffness * turn * turn.transpose();
+}
+
+void scatter_links(const Model& model, const State& state, std::span<const Frame> frames,
+                   std::vector<Eigen::Triplet<double>>& entries) {
+  for (std::size_t i = 0; i < model.bond_points.size(); ++i) {
+    const BondPoint& p = model.bond_points[i];
+    scatter(model, p.b, p.a, bond_tangent(p, state.bonds.history[i], bond_geometry(p, frames)), entries);
+  }
+  for (const JointElement& j : model.joints)
+    scatter(model, j.b, j.a, joint_tangent(j, joint_geometry(j, frames)), entries);
+}
+
 Mode make_mode(const Eigen::VectorXd& shape, double omega_squared, const Eigen::VectorXd& mass,
                double total_mass) {
   const auto n = mass.size() / 3;
@@ -119,6 +157,7 @@ Eigen::SparseMatrix<double> tangent_stiffness(const Model& model, const State& s
       scatter(model, points.corner_body[i], points.edge_body[i], point_tangent(points.stiffness[i], g),
               entries);
   }
+  scatter_links(model, state, frames, entries);
   const auto size = static_cast<Eigen::Index>(3 * model.body_count);
   Eigen::SparseMatrix<double> k(size, size);
   k.setFromTriplets(entries.begin(), entries.end());

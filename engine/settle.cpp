@@ -24,10 +24,14 @@ void note_movement(const Model& model, const std::vector<double>& before, const 
   }
 }
 
-void start_afresh(State& state) {
+void start_afresh(const Model& model, State& state) {
   state.time = 0.0;
   std::fill(state.v().begin(), state.v().end(), 0.0);
   state.work = {};
+  // What the springs store now has been lost to nothing.
+  const auto frames = frames_of(model, state, true);
+  state.work.tangential = stored_energy(state.contacts.points, frames).tangential;
+  state.work.bonds = bond_energy(model, state.bonds, frames);
   state.deepest_ratio = state.deepest_time = 0.0;
 }
 
@@ -54,7 +58,7 @@ SettleReport settle(const Model& model, State& state, const SettleOptions& optio
   report.detail = run.detail;
   report.duration = run.end_time;
   note_movement(model, before, state, report);
-  start_afresh(state);
+  start_afresh(model, state);
   return report;
 }
 

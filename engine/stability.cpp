@@ -57,40 +57,85 @@ class RowSums {
   Block block_{};
 };
 
+// A spring and dashpot between two bodies along one direction, at arms from their centroids.
+struct Strut {
+  Index a, b;
+  Vec2 direction, arm_a, arm_b;
+  double stiffness, damping;
+};
+
+struct Sums {
+  RowSums stiffness, damping;
+  void begin_pair(Index a, Index b) { stiffness.begin_pair(a, b), damping.begin_pair(a, b); }
+  void end_pair() { stiffness.end_pair(), damping.end_pair(); }
+  void add(const Model& model, const Strut& s) {
+    const Row on_a = scaled_row(model, s.a, 1.0, s.direction, s.arm_a);
+    const Row on_b = scaled_row(model, s.b, -1.0, s.direction, s.arm_b);
+    stiffness.add(s.stiffness, on_a, on_b);
+    damping.add(s.damping, on_a, on_b);
+  }
+};
+
+// The pair's first body takes the row of the strut's side that is on it.
 void add_point(const Model& model, const ContactPoints& points, std::size_t i, std::span<const Frame> frames,
-               Index a, RowSums& stiffness, RowSums& damping) {
+               Index first, Sums& sums) {
   const PointGeometry g = geometry_of(points, i, frames);
   const PointStiffness& law = points.stiffness[i];
-  const Index corner = points.corner_body[i], edge = points.edge_body[i];
-  const struct {
-    Vec2 direction;
-    double k, c;
-  } directions[] = {{g.normal, law.normal, law.normal_damping},
-                    {turned(g.normal), law.tangential, law.tangential_damping}};
-  for (const auto& d : directions) {
-    const Row on_corner = scaled_row(model, corner, 1.0, d.direction, g.arm_corner);
-    const Row on_edge = scaled_row(model, edge, -1.0, d.direction, g.arm_edge);
-    const bool corner_is_a = corner == a;
-    stiffness.add(d.k, corner_is_a ? on_corner : on_edge, corner_is_a ? on_edge : on_corner);
-    damping.add(d.c, corner_is_a ? on_corner : on_edge, corner_is_a ? on_edge : on_corner);
+  const bool corner_first = points.corner_body[i] == first;
+  Strut s{first,
+          corner_first ? points.edge_body[i] : points.corner_body[i],
+          g.normal,
+          corner_first ? g.arm_corner : g.arm_edge,
+          corner_first ? g.arm_edge : g.arm_corner,
+          law.normal,
+          law.normal_damping};
+  sums.add(model, s);
+  s.direction = turned(g.normal), s.stiffness = law.tangential, s.damping = law.tangential_damping;
+  sums.add(model, s);
+}
+
+void add_bond_points(const Model& model, std::span<const Frame> frames, Sums& sums) {
+  for (std::size_t i = 0; i < model.bond_points.size(); ++i) {
+    const BondPoint& p = model.bond_points[i];
+    const BondGeometry g = bond_geometry(p, frames);
+    if (i % 2 == 0) sums.begin_pair(p.a, p.b);
+    sums.add(model, {p.a, p.b, g.normal, g.arm_a, g.arm_b, p.law.normal, p.law.normal_damping});
+    sums.add(model,
+             {p.a, p.b, turned(g.normal), g.arm_a, g.arm_b, p.law.tangential, p.law.tangential_damping});
+    if (i % 2 == 1) sums.end_pair();
   }
+}
+
+void add_joint(const Model& model, const JointElement& j, std::span<const Frame> frames, Sums& sums) {
+  const JointGeometry g = joint_geometry(j, frames);
+  const double length = norm(g.separation);
+  const Vec2 along = j.axial() && length > 0.0 ? (1.0 / length) * g.separation : Vec2{1.0, 0.0};
+  sums.begin_pair(j.a, j.b);
+  sums.add(model, {j.a, j.b, along, g.middle_a, g.middle_b, j.stiffness, j.damping});
+  // A pin acts across too; across a stretched spring its tension F/l does.
+  const double across = j.axial() ? (length > 0.0 ? norm(g.spring) / length : 0.0) : j.stiffness;
+  sums.add(model, {j.a, j.b, turned(along), g.middle_a, g.middle_b, across, j.axial() ? 0.0 : j.damping});
+  const Row turn_a{0.0, 0.0, 1.0 / std::sqrt(model.inertia[j.a])};
+  const Row turn_b{0.0, 0.0, -1.0 / std::sqrt(model.inertia[j.b])};
+  sums.stiffness.add(j.rotational_stiffness, turn_a, turn_b);
+  sums.damping.add(j.rotational_damping, turn_a, turn_b);
+  sums.end_pair();
 }
 
 }  // namespace
 
 SpectralBound spectral_bound(const Model& model, const State& state, std::span<const Frame> frames) {
-  RowSums stiffness(model.body_count), damping(model.body_count);
+  Sums sums{RowSums(model.body_count), RowSums(model.body_count)};
   for (const ContactPair& pair : state.contacts.pairs()) {
     if (!pair.active) continue;
-    stiffness.begin_pair(pair.bodies.a, pair.bodies.b);
-    damping.begin_pair(pair.bodies.a, pair.bodies.b);
+    sums.begin_pair(pair.bodies.a, pair.bodies.b);
     for (Index k = 0; k < pair.manifold.count; ++k)
-      add_point(model, state.contacts.points, pair.first_point + k, frames, pair.bodies.a, stiffness,
-                damping);
-    stiffness.end_pair();
-    damping.end_pair();
+      add_point(model, state.contacts.points, pair.first_point + k, frames, pair.bodies.a, sums);
+    sums.end_pair();
   }
-  return {stiffness.largest(), damping.largest()};
+  add_bond_points(model, frames, sums);
+  for (const JointElement& joint : model.joints) add_joint(model, joint, frames, sums);
+  return {sums.stiffness.largest(), sums.damping.largest()};
 }
 
 }  // namespace dougong::engine

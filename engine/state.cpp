@@ -14,8 +14,12 @@ State initial_state(const Model& model, const Scene& scene) {
     const double values[] = {p.x, p.y, body.angle, body.velocity.x, body.velocity.y, body.spin};
     for (std::size_t k = 0; k < 6; ++k) state.y[k * n + i] = values[k];
   }
+  const std::vector<Frame> frames = frames_of(model, state);
+  state.bonds = initial_bonds(model, frames);
+  state.joints = initial_joints(model, frames);
   state.contacts = ContactSet(model);
-  state.contacts.update(model, frames_of(model, state));
+  state.contacts.keep_apart(held_pairs(model, state.bonds));
+  state.contacts.update(model, frames);
   return state;
 }
 

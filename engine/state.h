@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "engine/bonds/bonds.h"
+#include "engine/bonds/joints.h"
 #include "engine/contact/contact_set.h"
 
 namespace dougong::engine {
@@ -12,6 +14,7 @@ struct Work {
   double input = 0.0;       // done by the moving terrain on the bodies
   double damping = 0.0;     // taken by the dashpots
   double tangential = 0.0;  // taken by the tangential forces less their dashpots: stored slip and friction
+  double bonds = 0.0;       // taken by the springs of bonds: stored, and lost to fracture, yield and friction
 };
 
 struct State {
@@ -19,6 +22,8 @@ struct State {
   /// [x | y | angle | vx | vy | spin], each body_count long; positions relative to the model's origin.
   std::vector<double> y;
   ContactSet contacts;
+  BondState bonds;
+  std::vector<JointPast> joints;
   Work work;
   double deepest_ratio = 0.0;  // deepest overlap so far over the smaller body's minimum width
   double deepest_time = 0.0;   // s

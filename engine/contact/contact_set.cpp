@@ -99,11 +99,17 @@ PointHistory history_with_slip(const ContactPoints& points, std::size_t i, std::
 }  // namespace
 
 ContactSet::ContactSet(const Model& model) {
+  index_bodies(model.size());
   if (model.body_count == 0) return;
   skin_ = skin_ratio * median({model.minimum_width.begin(),
                                model.minimum_width.begin() + static_cast<std::ptrdiff_t>(model.body_count)});
   smallest_margin_ = margin_ratio * *std::min_element(model.minimum_width.begin(), model.minimum_width.end());
   skin_ = std::max(skin_, 4.0 * smallest_margin_);
+}
+
+void ContactSet::keep_apart(std::vector<BodyPair> held) {
+  held_ = std::move(held);
+  skin_position_.clear();  // look for pairs again
 }
 
 bool ContactSet::moved_beyond_skin(const Model& model, std::span<const Frame> frames) const {
@@ -128,6 +134,7 @@ void ContactSet::rebuild_pairs(const Model& model, std::span<const Frame> frames
       continue;
     }
     const Collider &a = model.colliders[colliders.a], &b = model.colliders[colliders.b];
+    if (std::binary_search(held_.begin(), held_.end(), BodyPair{a.owner, b.owner})) continue;
     ContactPair pair;
     pair.colliders = colliders;
     pair.bodies = {a.owner, b.owner};

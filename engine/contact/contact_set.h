@@ -28,6 +28,8 @@ class ContactSet {
   ContactSet() = default;
   explicit ContactSet(const Model& model);
 
+  /// Sorted pairs of bodies that something else holds: they do not touch. The next update sees it.
+  void keep_apart(std::vector<BodyPair> held);
   /// Brings pairs and points up to date with the frames. Returns true if any point was added, removed
   /// or replaced (its stability bound may have changed).
   bool update(const Model& model, std::span<const Frame> frames);
@@ -64,6 +66,7 @@ class ContactSet {
   double skin_ = 0.0;             // m
   double smallest_margin_ = 0.0;  // m
   std::vector<ContactPair> pairs_;
+  std::vector<BodyPair> held_;
   std::vector<Vec2> skin_position_;
   std::vector<double> skin_angle_;
   std::vector<std::size_t> first_;      // of each body, into touches_

@@ -14,14 +14,17 @@
 
 namespace dougong::engine {
 
-/// Rates of the energies that the ledger follows (W): terrain input, dashpots, tangential forces.
+/// Rates of the energies that the ledger follows (W): terrain input, dashpots, tangential forces of contacts,
+/// springs of bonds.
 struct Powers {
-  std::array<double, 3> values{};
-  friend Powers operator+(const Powers& a, const Powers& b) {
-    return {{a.values[0] + b.values[0], a.values[1] + b.values[1], a.values[2] + b.values[2]}};
+  std::array<double, 4> values{};
+  friend Powers operator+(Powers a, const Powers& b) {
+    for (std::size_t i = 0; i < a.values.size(); ++i) a.values[i] += b.values[i];
+    return a;
   }
-  friend Powers operator*(double s, const Powers& a) {
-    return {{s * a.values[0], s * a.values[1], s * a.values[2]}};
+  friend Powers operator*(double s, Powers a) {
+    for (double& value : a.values) value *= s;
+    return a;
   }
 };
 

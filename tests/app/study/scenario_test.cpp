@@ -289,7 +289,7 @@ TEST(Overrides, NameTheNearestKey) {
 
 TEST(Overrides, AreCalledWhatTheUserTyped) {
   const Override flag{"pga", "0.4", "--pga"};
-  EXPECT_THAT(errors("", {flag}), ElementsAre(StartsWith("--pga pga=0.4: record.pga: ")));
+  EXPECT_THAT(errors("", {flag}), ElementsAre(StartsWith("--pga 0.4: record.pga: ")));
 }
 
 TEST(Overrides, NeedAnEqualsSign) {

@@ -1,0 +1,119 @@
+// The law of a bond at one Gauss point of its face.
+//
+//   e = g - p                 opening g less the plastic opening p (m)
+//   N = kn e (1 - D)          tension > 0; D = 0 in compression
+//   T = kt s,  |T| <= C (1 - D) + mu max(0, -N) (- mu N in tension)      s slip from the anchor
+//
+// Tension ends in one of three ways. Brittle: the point breaks at N = Ft. Softening: from the opening
+// w0 = Ft/kn the envelope falls along a straight line to zero at wf = 2 Gf A / Ft, unloading to the origin
+// (Hillerborg, Modeer and Petersson, Cement Concr. Res. 6 (1976) 773-781). Ductile: N stays at Fy and p
+// grows; slip beyond the shear strength then flows too. Otherwise shear beyond its strength breaks the point.
+// A broken point carries compression and Coulomb's friction only, as a contact does.
+// Units: N and m; the stiffness of the point's tributary area, its strengths times that area.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace dougong::engine {
+
+struct BondStiffness {
+  double normal = 0.0, tangential = 0.0;                      // N/m
+  double normal_damping = 0.0, tangential_damping = 0.0;      // N s/m
+  double tension = std::numeric_limits<double>::infinity();   // N, Ft
+  double cohesion = std::numeric_limits<double>::infinity();  // N, C
+  double yield = std::numeric_limits<double>::infinity();     // N, Fy
+  double friction = 0.0;                                      // -, mu
+  double last_opening = 0.0;                                  // m, wf; 0: brittle
+  bool ductile() const { return yield < std::numeric_limits<double>::infinity(); }
+};
+
+struct BondHistory {
+  double plastic = 0.0;  // m, opening that stays
+  double widest = 0.0;   // m, greatest opening less the plastic one
+  double anchor = 0.0;   // m, where the shear spring is relaxed
+  bool broken = false;
+};
+
+/// Where a point stands: opening and slip (m) and their rates (m/s).
+struct BondMotion {
+  double opening = 0.0, slip = 0.0, opening_rate = 0.0, slip_rate = 0.0;
+};
+
+struct BondForce {
+  double normal = 0.0, tangential = 0.0;                  // N, of the springs; tension, and against slip
+  double normal_dashpot = 0.0, tangential_dashpot = 0.0;  // N
+  BondHistory history;                                    // as it is after these forces
+};
+
+/// Tension that an opening e can hold when w was the widest: the line to the origin under the envelope.
+inline double softened_tension(const BondStiffness& k, double e, double w) {
+  const double first = k.tension / k.normal;
+  if (w <= first) return k.normal * e;
+  if (w >= k.last_opening) return 0.0;
+  return k.tension * (k.last_opening - w) / (k.last_opening - first) * (e / w);
+}
+
+/// What is left of the strength, 1 to 0.
+inline double soundness(const BondStiffness& k, const BondHistory& h) {
+  if (h.broken) return 0.0;
+  const double first = k.tension / k.normal;
+  if (!(h.widest > first)) return 1.0;
+  return std::max(0.0, (k.last_opening - h.widest) / (k.last_opening - first));
+}
+
+inline double bond_tension(const BondStiffness& k, double opening, BondHistory& h) {
+  const double e = opening - h.plastic, elastic = k.normal * e;
+  if (e <= 0.0) return elastic;
+  if (h.broken) return 0.0;
+  if (k.ductile()) {
+    h.plastic += std::max(0.0, elastic - k.yield) / k.normal;
+    return std::min(elastic, k.yield);
+  }
+  h.widest = std::max(h.widest, e);
+  if (h.widest * k.normal <= k.tension) return elastic;
+  h.broken = !(h.widest < k.last_opening);
+  return h.broken ? 0.0 : softened_tension(k, e, h.widest);
+}
+
+inline double shear_limit(const BondStiffness& k, double normal, const BondHistory& h) {
+  const double held = h.broken ? 0.0 : k.cohesion * soundness(k, h);
+  return std::max(0.0, held - k.friction * (h.broken ? std::min(0.0, normal) : normal));
+}
+
+inline BondForce bond_force(const BondStiffness& k, const BondMotion& m, const BondHistory& history) {
+  BondForce f;
+  f.history = history;
+  BondHistory& h = f.history;
+  f.normal = bond_tension(k, m.opening, h);
+  double limit = shear_limit(k, f.normal, h);
+  const double wanted = k.tangential * (m.slip - h.anchor);
+  if (std::abs(wanted) > limit && !h.broken && !k.ductile()) {
+    h.broken = true;
+    f.normal = std::min(0.0, k.normal * (m.opening - h.plastic));
+    limit = shear_limit(k, f.normal, h);
+  }
+  f.tangential = std::clamp(wanted, -limit, limit);
+  if (k.tangential > 0.0) h.anchor = m.slip - f.tangential / k.tangential;
+
+  const bool closed = m.opening < h.plastic;
+  if (h.broken && !closed) return f;
+  // A flowing bar has no viscosity, a softened face as much as it is sound; a broken one never pulls.
+  const bool flows = h.plastic != history.plastic;
+  f.normal_dashpot = flows ? 0.0 : (closed ? 1.0 : soundness(k, h)) * k.normal_damping * m.opening_rate;
+  if (h.broken) f.normal_dashpot = std::min(f.normal_dashpot, -f.normal);
+  const double viscous = k.tangential_damping * m.slip_rate;
+  f.tangential_dashpot = std::clamp(f.tangential + viscous, -limit, limit) - f.tangential;
+  return f;
+}
+
+/// Energy that the springs of a point can give back (J).
+inline double bond_energy(const BondStiffness& k, double opening, double slip, const BondHistory& h) {
+  const double e = opening - h.plastic;
+  const double normal = e <= 0.0 ? k.normal * e : h.broken ? 0.0 : softened_tension(k, e, h.widest);
+  const double s = slip - h.anchor;
+  return 0.5 * normal * e + 0.5 * k.tangential * s * s;
+}
+
+}  // namespace dougong::engine

@@ -1,0 +1,204 @@
+#include "engine/bonds/bonds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "engine/bonds/owners.h"
+
+namespace dougong::engine {
+namespace {
+
+struct Face {
+  Vec2 middle, tangent, normal;  // m, relative to the model's origin; normal from a to b
+  double length;                 // m
+};
+
+Face face_of(const Bond& bond, const Model& model, const Frame& a, const Frame& b) {
+  const Vec2 along = bond.end - bond.start;
+  Face face;
+  face.length = norm(along);
+  if (!(face.length > 0.0) || !std::isfinite(face.length))
+    throw std::invalid_argument(bond.name + ": the bonded face has no length");
+  face.middle = 0.5 * (bond.start + bond.end) - model.origin;
+  face.tangent = (1.0 / face.length) * along;
+  face.normal = -turned(face.tangent);
+  if (dot(face.normal, b.position() - a.position()) < 0.0) face.normal = -face.normal;
+  return face;
+}
+
+double depth_over_modulus(const Model& model, Index body, double depth) {
+  return model.is_terrain(body) ? 0.0 : std::abs(depth) / model.materials[body].young_modulus;
+}
+
+// Two columns in series between the centroids and the face, per area (Pa/m).
+double stiffness_per_area(const Model& model, const Bond& bond, const Face& face, Index a, Index b,
+                          const Frame& fa, const Frame& fb) {
+  if (bond.normal_stiffness) return *bond.normal_stiffness;
+  const double flexibility = depth_over_modulus(model, a, dot(face.normal, face.middle - fa.position())) +
+                             depth_over_modulus(model, b, dot(face.normal, fb.position() - face.middle));
+  return 1.0 / flexibility;
+}
+
+double shear_ratio(const Model& model, Index a, Index b) {
+  return 0.5 / (1.0 + model.materials[model.is_terrain(a) ? b : a].poisson_ratio);
+}
+
+double dashpot(double ratio, double stiffness, const Model& model, const BondPoint& p, const Frame& fa,
+               const Frame& fb, Vec2 direction) {
+  const Vec2 place = fb.to_world(p.anchor_b);
+  const double ra = cross(place - fa.position(), direction), rb = cross(place - fb.position(), direction);
+  const double inverse_mass = 1.0 / model.mass[p.a] + 1.0 / model.mass[p.b] + ra * ra / model.inertia[p.a] +
+                              rb * rb / model.inertia[p.b];
+  return 2.0 * ratio * std::sqrt(stiffness / inverse_mass);
+}
+
+void require(bool good, const Bond& bond, const char* what) {
+  if (!good) throw std::invalid_argument(bond.name + ": " + what);
+}
+
+void check(const Bond& bond) {
+  require(!bond.normal_stiffness || *bond.normal_stiffness > 0.0, bond, "normal stiffness must be positive");
+  require(!bond.shear_stiffness || *bond.shear_stiffness >= 0.0, bond,
+          "shear stiffness must not be negative");
+  require(bond.tensile_strength >= 0.0, bond, "tensile strength must not be negative");
+  require(bond.cohesion >= 0.0, bond, "cohesion must not be negative");
+  require(bond.friction_coefficient >= 0.0, bond, "friction coefficient must not be negative");
+  require(bond.fracture_energy >= 0.0, bond, "fracture energy must not be negative");
+  require(bond.fracture_energy == 0.0 || bond.tensile_strength > 0.0, bond,
+          "a fracture energy needs a tensile strength");
+  require(bond.yield_strength > 0.0, bond, "yield strength must be positive");
+  require(bond.damping_ratio >= 0.0, bond, "damping ratio must not be negative");
+}
+
+// w_f = 2 G_f / f_t; below the elastic opening at f_t the fall would be a snap-back: brittle.
+double last_opening(const Bond& bond) {
+  return bond.fracture_energy > 0.0 ? 2.0 * bond.fracture_energy / bond.tensile_strength : 0.0;
+}
+
+BondStiffness law_of(const Bond& bond, const Model& model, double area, double per_area, Index a, Index b) {
+  BondStiffness k;
+  k.normal = per_area * area;
+  k.tangential = bond.shear_stiffness ? *bond.shear_stiffness * area : k.normal * shear_ratio(model, a, b);
+  k.tension = bond.tensile_strength * area;
+  k.cohesion = bond.cohesion * area;
+  k.yield = bond.yield_strength * area;
+  k.friction = bond.friction_coefficient;
+  k.last_opening = last_opening(bond);
+  return k;
+}
+
+void add_points(const Bond& bond, const Model& model, std::span<const Frame> frames,
+                std::vector<BondPoint>& points) {
+  check(bond);
+  const Index a = index_of(bond.a, model, bond.name), b = index_of(bond.b, model, bond.name);
+  const Frame &fa = frames[a], &fb = frames[b];
+  const Face face = face_of(bond, model, fa, fb);
+  const double area = 0.5 * face.length * std::min(model.thickness[a], model.thickness[b]);
+  const double per_area = stiffness_per_area(model, bond, face, a, b, fa, fb);
+  for (const double side : {-1.0, 1.0}) {
+    const Vec2 place = face.middle + (side * 0.5 * face.length / std::sqrt(3.0)) * face.tangent;
+    BondPoint p;
+    p.a = a, p.b = b;
+    p.anchor_b = fb.to_local(place);
+    p.normal_a = fa.turned_to_local(face.normal);
+    const Vec2 on_a = fa.to_local(place);
+    p.offset = {dot(p.normal_a, on_a), dot(turned(p.normal_a), on_a)};
+    p.law = law_of(bond, model, area, per_area, a, b);
+    p.law.normal_damping = dashpot(bond.damping_ratio, p.law.normal, model, p, fa, fb, face.normal);
+    p.law.tangential_damping = dashpot(bond.damping_ratio, p.law.tangential, model, p, fa, fb, face.tangent);
+    points.push_back(p);
+  }
+}
+
+BondMotion motion_of(const BondPoint& p, const BondGeometry& g, std::span<const Frame> frames) {
+  const Frame &a = frames[p.a], &b = frames[p.b];
+  const Vec2 u = b.velocity() - a.velocity() + b.spin * turned(g.arm_b) - a.spin * turned(g.arm_a);
+  return {g.opening, g.slip, dot(g.normal, u), dot(turned(g.normal), u)};
+}
+
+void commit_point(const BondMotion& m, const BondForce& f, BondHistory& history, BondPast& past,
+                  BondTotals& totals) {
+  const double opened = m.opening - past.opening, slid = m.slip - past.slip;
+  totals.spring_work +=
+      0.5 * (past.normal + f.normal) * opened + 0.5 * (past.tangential + f.tangential) * slid;
+  totals.damping_work += 0.5 * (past.normal_dashpot + f.normal_dashpot) * opened +
+                         0.5 * (past.tangential_dashpot + f.tangential_dashpot) * slid;
+  past = {m.opening, m.slip, f.normal, f.tangential, f.normal_dashpot, f.tangential_dashpot};
+  history = f.history;
+}
+
+}  // namespace
+
+std::vector<BondPoint> compile_bonds(const Scene& scene, const Model& model) {
+  std::vector<BondPoint> points;
+  if (scene.bonds.empty()) return points;
+  const std::vector<Frame> frames = described_frames(scene, model);
+  for (const Bond& bond : scene.bonds) add_points(bond, model, frames, points);
+  return points;
+}
+
+BondState initial_bonds(const Model& model, std::span<const Frame> frames) {
+  BondState state;
+  state.history.resize(model.bond_points.size());
+  for (const BondPoint& point : model.bond_points) {
+    const BondGeometry g = bond_geometry(point, frames);
+    state.past.push_back({g.opening, g.slip});
+  }
+  return state;
+}
+
+std::vector<BodyPair> held_pairs(const Model& model, const BondState& state) {
+  std::vector<BodyPair> pairs;
+  const auto hold = [&](Index a, Index b) { pairs.push_back({std::min(a, b), std::max(a, b)}); };
+  for (const JointElement& joint : model.joints)
+    if (!joint.axial()) hold(joint.a, joint.b);
+  for (std::size_t i = 0; i < model.bond_points.size(); ++i)
+    if (!state.history[i].broken) hold(model.bond_points[i].a, model.bond_points[i].b);
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
+}
+
+BondGeometry bond_geometry(const BondPoint& point, std::span<const Frame> frames) {
+  const Frame &a = frames[point.a], &b = frames[point.b];
+  BondGeometry g;
+  g.normal = a.turned_to_world(point.normal_a);
+  g.arm_b = b.turned_to_world(point.anchor_b);
+  g.arm_a = b.position() - a.position() + g.arm_b;
+  g.opening = dot(g.normal, g.arm_a) - point.offset.x;
+  g.slip = dot(turned(g.normal), g.arm_a) - point.offset.y;
+  return g;
+}
+
+BondTotals add_bond_forces(const Model& model, BondState& state, std::span<const Frame> frames, bool commit,
+                           std::span<Vec2> forces, std::span<double> torques) {
+  BondTotals totals;
+  for (std::size_t i = 0; i < model.bond_points.size(); ++i) {
+    const BondPoint& p = model.bond_points[i];
+    const BondGeometry g = bond_geometry(p, frames);
+    const BondMotion m = motion_of(p, g, frames);
+    const BondForce f = bond_force(p.law, m, state.history[i]);
+    const Vec2 on_b =
+        -(f.normal + f.normal_dashpot) * g.normal - (f.tangential + f.tangential_dashpot) * turned(g.normal);
+    forces[p.b] += on_b, forces[p.a] -= on_b;
+    torques[p.b] += cross(g.arm_b, on_b), torques[p.a] -= cross(g.arm_a, on_b);
+    totals.spring_power += f.normal * m.opening_rate + f.tangential * m.slip_rate;
+    totals.damping_power += f.normal_dashpot * m.opening_rate + f.tangential_dashpot * m.slip_rate;
+    if (!commit) continue;
+    state.broken += f.history.broken && !state.history[i].broken;
+    commit_point(m, f, state.history[i], state.past[i], totals);
+  }
+  return totals;
+}
+
+double bond_energy(const Model& model, const BondState& state, std::span<const Frame> frames) {
+  double energy = 0.0;
+  for (std::size_t i = 0; i < model.bond_points.size(); ++i) {
+    const BondGeometry g = bond_geometry(model.bond_points[i], frames);
+    energy += bond_energy(model.bond_points[i].law, g.opening, g.slip, state.history[i]);
+  }
+  return energy;
+}
+
+}  // namespace dougong::engine

@@ -1,0 +1,280 @@
+#include "engine/bonds/bonds.h"
+
+#include <gmock/gmock.h>
+#include <Eigen/SparseCholesky>
+
+#include <cmath>
+#include <numbers>
+
+#include "engine/modes.h"
+#include "engine/settle.h"
+#include "tests/engine/reference.h"
+#include "tests/scenes/running.h"
+
+namespace dougong::engine {
+namespace {
+
+using scenes::run_for;
+using scenes::Running;
+using testing::expect_relative;
+using ::testing::HasSubstr;
+
+// A cantilever of `count` bonded blocks along x, held by a terrain at its left end.
+struct Cantilever {
+  double length = 4.0, depth = 0.4, modulus = 1e9, density = 2000.0;
+  int count = 16;
+
+  Scene scene() const {
+    Scene s = scenes::scene(0.6, modulus);
+    s.materials[0].density = density;
+    s.gravity = {};
+    const double w = length / count;
+    for (int i = 0; i < count; ++i) {
+      s.bodies.push_back(scenes::block(0.5 * w, 0.5 * depth, {(i + 0.5) * w, 0.0}));
+      s.bodies.back().name = "block " + std::to_string(i);
+      const Owner left = i == 0 ? Owner{true, 0} : Owner{false, static_cast<std::size_t>(i - 1)};
+      s.bonds.push_back(bond(left, {false, static_cast<std::size_t>(i)}, i * w));
+    }
+    Terrain wall;
+    wall.name = "wall";
+    wall.shape = make_rectangle(0.5, 2.0);
+    wall.position = {-0.25, 0.0};
+    s.terrains.push_back(wall);
+    return s;
+  }
+  Bond bond(Owner a, Owner b, double x) const {
+    Bond bond;
+    bond.name = "bond at " + std::to_string(x);
+    bond.a = a, bond.b = b;
+    bond.start = {x, -0.5 * depth}, bond.end = {x, 0.5 * depth};
+    bond.shear_stiffness = 1e3 * modulus * count / length;  // Euler and Bernoulli know no shear
+    bond.damping_ratio = 0.5;
+    return bond;
+  }
+  double bending_stiffness() const { return modulus * std::pow(depth, 3) / 12.0; }
+};
+
+// Tip deflection under its own weight q = rho d g: q L^4 / (8 E I). A chain of n rigid blocks that bend at
+// their faces, the first held rigidly at its outer face, has its own closed form; both agree as n grows.
+double chain_deflection(const Cantilever& c, double g) {
+  const double w = c.length / c.count, q = c.density * c.depth * g;
+  double tip = 0.0;
+  for (int i = 0; i < c.count; ++i) {
+    const double x = i * w, arm = c.length - x, moment = 0.5 * q * arm * arm;
+    const double flexibility = (i == 0 ? 0.5 : 1.0) * w / c.bending_stiffness();
+    tip += moment * flexibility * arm;
+  }
+  return tip;
+}
+
+// Displacements under a small uniform gravity, from the tangent stiffness.
+Eigen::VectorXd sagged(const Running& r, double g) {
+  const auto n = static_cast<Eigen::Index>(r.bodies());
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(3 * n);
+  for (Eigen::Index i = 0; i < n; ++i) load[n + i] = -r.model.mass[static_cast<std::size_t>(i)] * g;
+  const Eigen::SparseMatrix<double> k = tangent_stiffness(r.model, r.state);
+  return Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>(k).solve(load);
+}
+
+TEST(BondedCantilever, BendsUnderItsWeightAsTheBeamDoes) {
+  for (const int count : {4, 16, 64}) {
+    Cantilever c;
+    c.count = count;
+    const Running r(c.scene());
+    const Eigen::VectorXd u = sagged(r, 0.1);
+    const double tip = -(u[2 * count - 1] + 0.5 * c.length / count * u[3 * count - 1]);
+    expect_relative("bonds", "tip of " + std::to_string(count) + " blocks", chain_deflection(c, 0.1), tip,
+                    1e-3);
+  }
+  Cantilever fine;
+  fine.count = 64;
+  const double beam =
+      fine.density * fine.depth * 0.1 * std::pow(fine.length, 4) / 8.0 / fine.bending_stiffness();
+  EXPECT_NEAR(chain_deflection(fine, 0.1) / beam, 1.0, 2e-3) << "the chain itself converges to the beam";
+}
+
+// The same by letting it come to rest: the forces are those of the tangent.
+TEST(BondedCantilever, ComesToRestWhereItsTangentSays) {
+  Cantilever c;
+  c.count = 4;
+  Scene s = c.scene();
+  s.gravity = {0.0, -0.1};
+  Running r(s);
+  const double before = r.position(3).y;
+  SettleOptions options;
+  options.unbalanced_ratio = 1e-7;
+  ASSERT_TRUE(settle(r.model, r.state, options).settled);
+  expect_relative("bonds", "settled tip block", sagged(Running(c.scene()), 0.1)[7], r.position(3).y - before,
+                  1e-3);
+}
+
+// First frequency (1.8751/L)^2 sqrt(EI/(rho A)) of Euler and Bernoulli, order 2 in the blocks' length.
+TEST(BondedCantilever, HasTheFrequencyOfTheBeamToOrderTwo) {
+  const auto error = [](int count) {
+    Cantilever c;
+    c.count = count;
+    c.depth = 0.04;  // slender: the blocks' rotary inertia, which the beam has not, is 5e-5 of it all
+    const Scene s = c.scene();
+    const double exact =
+        std::pow(1.8751040687 / c.length, 2) * std::sqrt(c.bending_stiffness() / (c.density * c.depth));
+    // The lowest mode moves across: turn the beam upright so that "horizontal" excites it.
+    Scene upright = s;
+    for (Body& b : upright.bodies) b.position = {0.0, b.position.x}, b.angle = std::numbers::pi / 2;
+    for (Bond& b : upright.bonds) b.start = {-b.start.y, b.start.x}, b.end = {-b.end.y, b.end.x};
+    upright.terrains[0].position = {0.0, -0.25}, upright.terrains[0].angle = std::numbers::pi / 2;
+    Running u(upright);
+    const auto modes = horizontal_modes(u.model, u.state);
+    return std::abs(std::sqrt(modes.at(0).angular_frequency_squared) / exact - 1.0);
+  };
+  const double coarse = error(10), fine = error(20);
+  EXPECT_LT(fine, 5e-3);
+  EXPECT_GT(std::log2(coarse / fine), 1.7);
+}
+
+// Two blocks, the upper one pulled off by a field of gravity that points up.
+Scene hanging(double strength, double pull, double fracture_energy = 0.0) {
+  Scene s = scenes::scene(0.6, 1e9);
+  s.gravity = {0.0, pull};
+  s.bodies.push_back(scenes::block(0.5, 0.5, {0.0, 0.5}));
+  s.terrains.push_back(scenes::ground());
+  Bond b;
+  b.name = "bed joint";
+  b.a = {true, 0}, b.b = {false, 0};
+  b.start = {-0.5, 0.0}, b.end = {0.5, 0.0};
+  b.tensile_strength = strength;
+  b.fracture_energy = fracture_energy;
+  b.damping_ratio = 1.0;
+  s.bonds.push_back(b);
+  return s;
+}
+
+TEST(Bond, HoldsItsStrengthAndNoMore) {
+  const double stress = 2400.0 * 9.81;  // of 1 m3 on 1 m2
+  // A load that comes at once doubles its effect without damping; with the ratio 1 it overshoots a little.
+  Running holds(hanging(1.3 * stress, 9.81)), breaks(hanging(0.95 * stress, 9.81));
+  holds.run(run_for(1.0)), breaks.run(run_for(1.0));
+  EXPECT_LT(holds.position().y, 0.501);
+  EXPECT_EQ(holds.state.bonds.broken, 0u);
+  EXPECT_GT(breaks.position().y, 3.0);
+  EXPECT_EQ(breaks.state.bonds.broken, 2u);
+}
+
+TEST(Bond, GivesItsEnergyToTheFracture) {
+  const double strength = 2e4, energy = 50.0;
+  Running r(hanging(strength, 60.0, energy));
+  const double start = r.energies().balance();
+  r.run(run_for(0.5));
+  ASSERT_EQ(r.state.bonds.broken, 2u);
+  const Energies e = r.energies();
+  EXPECT_NEAR(e.fracture, energy * 1.0, 0.02 * energy) << "G_f times 1 m2";
+  EXPECT_NEAR(e.balance(), start, 1e-3 * e.kinetic);
+}
+
+TEST(Bond, OfDuctileSteelYieldsAndStaysOpen) {
+  Scene s = hanging(1e9, 9.81);
+  s.bonds[0].tensile_strength = std::numeric_limits<double>::infinity();
+  s.bonds[0].yield_strength = 3e4;
+  Running r(s);
+  r.run(run_for(0.5));
+  EXPECT_LT(r.position().y - 0.5, 1e-4) << "23.5 kPa do not make it yield";
+  r.model.gravity.y = 35.0;  // 84 kPa: it flows
+  r.run(run_for(0.05));
+  const double wide = r.state.bonds.history[0].plastic;
+  EXPECT_GT(wide, 0.01);
+  EXPECT_EQ(r.state.bonds.broken, 0u);
+  EXPECT_NEAR(r.energies().fracture, wide * 3e4, 0.02 * wide * 3e4);
+  r.model.gravity.y = -9.81;
+  r.run(run_for(1.0));
+  const double stays = r.state.bonds.history[0].plastic;
+  EXPECT_GE(stays, wide);
+  EXPECT_NEAR(r.position().y - 0.5, stays, 1e-3 * stays) << "the block stands on the stretched bar";
+}
+
+TEST(Bond, ShearsOffAtItsCohesionAndThenRubs) {
+  const auto slid = [](double cohesion) {
+    Scene s = scenes::scene(0.4, 1e9);
+    s.gravity = {8.0, -9.81};
+    s.bodies.push_back(scenes::block(1.0, 0.1, {0.0, 0.1}));
+    s.terrains.push_back(scenes::ground());
+    Bond b;
+    b.name = "bed joint";
+    b.a = {true, 0}, b.b = {false, 0};
+    b.start = {-1.0, 0.0}, b.end = {1.0, 0.0};
+    b.cohesion = cohesion;
+    b.friction_coefficient = 0.4;
+    b.damping_ratio = 1.0;
+    s.bonds.push_back(b);
+    Running r(s);
+    r.run(run_for(1.0));
+    return std::pair(r.position().x, r.state.bonds.broken);
+  };
+  const double per_area = 2400.0 * 0.2;
+  const double needed = per_area * (8.0 - 0.4 * 9.81);
+  EXPECT_LT(slid(2.2 * needed).first, 1e-3);
+  const auto [far, broken] = slid(0.3 * needed);
+  EXPECT_EQ(broken, 2u);
+  EXPECT_NEAR(far, 0.5 * (8.0 - 0.4 * 9.81), 0.02) << "as Coulomb says from then on";
+}
+
+// Once the bond has gone, the faces touch like any others.
+TEST(Bond, LeavesAContactBehind) {
+  Scene s = hanging(1e3, 9.81);
+  Running r(s);
+  r.run(run_for(0.3));
+  ASSERT_EQ(r.state.bonds.broken, 2u);
+  r.model.gravity.y = -9.81;
+  r.run(run_for(3.0));
+  EXPECT_NEAR(r.position().y, 0.5, 1e-3);
+  EXPECT_NEAR(r.velocity().y, 0.0, 1e-6);
+}
+
+TEST(Bonds, KeepMomentumAndEnergy) {
+  Cantilever c;
+  c.count = 4;
+  Scene s = c.scene();
+  s.bonds.erase(s.bonds.begin());  // free of the wall
+  s.terrains.clear();
+  for (std::size_t i = 0; i < 4; ++i) s.bodies[i].velocity = {0.0, 0.5 * static_cast<double>(i)};
+  for (Bond& b : s.bonds) b.damping_ratio = 0.0;
+  Running r(s);
+  const auto momentum = [&] {
+    Vec2 p;
+    double l = 0.0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      p += r.model.mass[i] * r.velocity(i);
+      l += r.model.mass[i] * cross(r.position(i), r.velocity(i)) + r.model.inertia[i] * r.spin(i);
+    }
+    return std::array{p.x, p.y, l};
+  };
+  const auto before = momentum();
+  const Energies start = r.energies();
+  DriveOptions options = run_for(1.0);
+  options.step_fraction = 0.1;
+  r.run(options);
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(momentum()[k], before[k], 1e-9 * r.model.mass[0]) << k;
+  EXPECT_NEAR(r.energies().balance(), start.balance(), 2e-3 * start.kinetic);
+  EXPECT_NEAR(r.energies().fracture, 0.0, 1e-3 * start.kinetic);
+}
+
+TEST(Bonds, RefuseWhatMakesNoSense) {
+  const auto refused = [](auto change) {
+    Scene s = hanging(1e5, 9.81);
+    change(s.bonds[0]);
+    try {
+      compile(s);
+    } catch (const std::invalid_argument& error) {
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  EXPECT_EQ(refused([](Bond&) {}), "accepted");
+  EXPECT_THAT(refused([](Bond& b) { b.b.index = 3; }), HasSubstr("bed joint: there is no body number 3"));
+  EXPECT_THAT(refused([](Bond& b) { b.end = b.start; }), HasSubstr("no length"));
+  EXPECT_THAT(refused([](Bond& b) { b.normal_stiffness = 0.0; }), HasSubstr("normal stiffness"));
+  EXPECT_THAT(refused([](Bond& b) { b.tensile_strength = -1.0; }), HasSubstr("tensile strength"));
+  EXPECT_THAT(refused([](Bond& b) { b.tensile_strength = 0.0, b.fracture_energy = 1.0; }),
+              HasSubstr("fracture"));
+}
+
+}  // namespace
+}  // namespace dougong::engine
