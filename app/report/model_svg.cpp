@@ -84,6 +84,25 @@ std::string block_part(const DrawnShape& block, const Sheet& sheet) {
                      escape_markup(block.name), escape_markup(mass_text(block.mass)));
 }
 
+/// Joints: a line between the anchors and a ring at each.
+std::string links_part(const ModelSheet& model, const Sheet& sheet) {
+  std::string out;
+  const auto end = [&](std::size_t owner, Vec2 anchor) {
+    const Pose pose = described_pose(
+        owner < model.blocks.size() ? model.blocks[owner] : model.terrains[owner - model.blocks.size()]);
+    return sheet.at(pose.position + engine::rotated(anchor, pose.angle));
+  };
+  for (const DrawnLink& link : model.links) {
+    const Vec2 a = end(link.a, link.anchor_a), b = end(link.b, link.anchor_b);
+    out += fmt::format(
+        "<path d=\"M{0:.2f} {1:.2f}L{2:.2f} {3:.2f}\"/><circle cx=\"{0:.2f}\" cy=\"{1:.2f}\" r=\"2.6\"/>"
+        "<circle cx=\"{2:.2f}\" cy=\"{3:.2f}\" r=\"2.6\"/>\n",
+        a.x, a.y, b.x, b.y);
+  }
+  return out.empty() ? ""
+                     : fmt::format("<g fill=\"#ffffff\" stroke=\"{}\">\n{}</g>\n", to_hex(ink::outline), out);
+}
+
 std::string text_part(double x, double y, const std::string& text, Colour colour = ink::text) {
   return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" fill=\"{}\">{}</text>\n", x, y, to_hex(colour),
                      escape_markup(text));
@@ -140,7 +159,8 @@ std::string model_svg(const ModelSheet& model) {
   out += fmt::format("<g stroke=\"{}\" stroke-width=\"{}\" stroke-linejoin=\"round\">\n",
                      to_hex(ink::outline), line);
   for (const DrawnShape& block : model.blocks) out += block_part(block, sheet);
-  return out + "</g>\n</g>\n" + storeys_part(model, sheet) + scale_bar_part(sheet) + "</svg>\n";
+  return out + "</g>\n" + links_part(model, sheet) + "</g>\n" + storeys_part(model, sheet) +
+         scale_bar_part(sheet) + "</svg>\n";
 }
 
 }  // namespace dougong::app

@@ -187,6 +187,27 @@ Vec2 terrain_displacement(const RunResult& run, std::size_t step, std::size_t te
   return index < run.terrain_displacement.size() ? run.terrain_displacement[index] : Vec2{};
 }
 
+/// Joints: a line between the anchors, a ring at each; of a pin, whose anchors coincide, one ring.
+template <class PoseOf>
+void draw_links(Drawing& drawing, const ModelSheet& model, const Camera& camera, double scale,
+                PoseOf pose_of) {
+  DrawnShape ring;
+  ring.radius = 2.6 * scale;
+  for (const DrawnLink& link : model.links) {
+    const auto end = [&](std::size_t owner, Vec2 anchor) {
+      const Pose pose = pose_of(owner);
+      return camera.to_pixels(pose.position + engine::rotated(anchor, pose.angle));
+    };
+    const Vec2 a = end(link.a, link.anchor_a), b = end(link.b, link.anchor_b);
+    if (!drawable({a, b, a})) continue;
+    if (engine::norm(b - a) > scale) drawing.line(a, b, 1.2 * scale, ink::outline);
+    for (const Vec2 p : {a, b}) {
+      drawing.polygon(corners(ring, {p, 0.0}), ink::white);
+      drawing.outline(corners(ring, {p, 0.0}), 1.0 * scale, ink::outline);
+    }
+  }
+}
+
 Image world_image(const RunResult& run, const Frame& frame, const SceneView& view, int width, int height) {
   Camera camera{view.box, width / view.box.width()};
   Drawing drawing;
@@ -200,6 +221,12 @@ Image world_image(const RunResult& run, const Frame& frame, const SceneView& vie
     draw_block(drawing, run.model.blocks[i], pose_at(run.trajectory, frame.step, i, view.magnification),
                camera, fill, view.scale);
   }
+  draw_links(drawing, run.model, camera, view.scale, [&](std::size_t owner) {
+    if (owner < run.trajectory.blocks) return pose_at(run.trajectory, frame.step, owner, view.magnification);
+    const std::size_t terrain = owner - run.trajectory.blocks;
+    const Pose pose = described_pose(run.model.terrains[terrain]);
+    return Pose{pose.position + terrain_displacement(run, frame.step, terrain), pose.angle};
+  });
   return drawing.render(width, height);
 }
 
@@ -512,6 +539,10 @@ Image draw_model(const ModelSheet& model) {
   for (const DrawnShape& terrain : model.terrains) draw_terrain(drawing, terrain, camera, s);
   for (const DrawnShape& block : model.blocks)
     draw_block(drawing, block, described_pose(block), camera, storey_colour(block.storey), s);
+  draw_links(drawing, model, camera, s, [&](std::size_t owner) {
+    return described_pose(owner < model.blocks.size() ? model.blocks[owner]
+                                                      : model.terrains[owner - model.blocks.size()]);
+  });
   const double label_room = model.storeys.empty() ? 14 : 120, least_width = 460, footer = 50;
   Image image(std::max(width + px(label_room + page_margin, s), px(least_width, s)),
               px(header_height + footer, s) + height);

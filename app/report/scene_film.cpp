@@ -1,18 +1,13 @@
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cmath>
 #include <cstdlib>
-#include <system_error>
 
 #include "app/report/safe_file.h"
 #include "app/report/scene.h"
 #include "app/report/scene_report.h"
+#include "app/report/subprocess.h"
 
 namespace dougong::app {
 namespace {
@@ -52,34 +47,14 @@ void draw_frames(const RunResult& run, const fs::path& folder) {
     write_file(folder / fmt::format("frame{:06d}.png", i), png_of(evened(draw_scene(run, frames[i], view))));
 }
 
-pid_t start_ffmpeg(const fs::path& folder) {
-  std::vector<std::string> words{"ffmpeg",    "-y",         "-loglevel",     "error",    "-framerate",
-                                 "25",        "-i",         "frame%06d.png", "-pix_fmt", "yuv420p",
-                                 "-movflags", "+faststart", "film.mp4"};
-  std::vector<char*> arguments;
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "messages.txt", O_WRONLY | O_CREAT | O_TRUNC,
-                                   0600);
-  posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
-  pid_t child = 0;
-  const int error = posix_spawnp(&child, "ffmpeg", &actions, nullptr, arguments.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  if (error != 0) throw std::runtime_error("cannot start ffmpeg: " + std::generic_category().message(error));
-  return child;
-}
-
 void run_ffmpeg(const fs::path& folder) {
-  const pid_t child = start_ffmpeg(folder);
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0)
-    if (errno != EINTR) throw std::runtime_error("lost ffmpeg");
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return;
-  throw std::runtime_error("ffmpeg could not make the film: " + read_file(folder / "messages.txt"));
+  const bool ended_well =
+      run_in(folder,
+             {"ffmpeg", "-y", "-loglevel", "error", "-framerate", "25", "-i", "frame%06d.png", "-pix_fmt",
+              "yuv420p", "-movflags", "+faststart", "film.mp4"},
+             "/dev/null");
+  if (!ended_well)
+    throw std::runtime_error("ffmpeg could not make the film: " + read_file(folder / messages_name));
 }
 
 }  // namespace

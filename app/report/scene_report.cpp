@@ -102,7 +102,10 @@ std::string image_of(const SceneResult& r) {
   writer.field("not_modelled", "", r.run.model.not_modelled);
   write_bodies(file, r);
   write_terrains(file, r);
-  writer.group("energy", [&] { walk_energy(writer, r.run.energy); });
+  writer.group("energy", [&] {
+    walk_energy(writer, r.run.energy);
+    writer.field("fracture", "J", r.run.energy.fracture);
+  });
   writer.group("numerics", [&] { walk_numerics(writer, r.run.numerics); });
   writer.group("reproducibility", [&] { walk_reproducibility(writer, r.run.reproducibility); });
   return h5::image(file);

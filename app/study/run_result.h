@@ -25,6 +25,13 @@ struct DrawnShape {
   std::vector<DrawnShape> parts;  // of a compound, in its frame; only in memory
 };
 
+/// A joint as it is drawn: its anchors in the frames of what it connects. Terrains are numbered behind the
+/// blocks.
+struct DrawnLink {
+  std::size_t a = 0, b = 0;
+  engine::Vec2 anchor_a, anchor_b;  // m
+};
+
 struct NamedValue {
   std::string name;
   std::string value;    // as printed, with its unit
@@ -55,6 +62,7 @@ struct ModelSheet {
   std::vector<std::string> modelled;
   std::vector<std::string> not_modelled;
   std::vector<std::string> findings;  // of the model check
+  std::vector<DrawnLink> links;       // joints; only in memory
   bool free_scene = false;            // pictures frame the terrain too and know no storeys; only in memory
   bool trails = false;                // pictures draw the paths of the bodies; only in memory
 };
@@ -77,7 +85,8 @@ struct MotionSheet {
 /// + damping - input - (their sum at the start).
 struct EnergyHistory {
   std::vector<double> input, kinetic, gravity, elastic, friction, damping, error;
-  double largest_input = 0.0;  // J, greatest |input|
+  std::vector<double> fracture;  // lost in bonds; empty in a results file that knows no bonds
+  double largest_input = 0.0;    // J, greatest |input|
   /// Greatest |error| over the energy turned over: the greatest sum of |input| and of what gravity gave. A
   /// collapse is driven by gravity, whose energy is a hundred times that of the shaking.
   double relative_error = 0.0;

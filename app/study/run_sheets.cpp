@@ -117,9 +117,9 @@ void EnergyRecorder::note(const engine::Model& model, const engine::State& state
   const engine::Energies e = engine::energies_of(model, state);
   turnover_.note(e);
   const std::pair<std::vector<double>*, double> columns[] = {
-      {&energy.input, e.input},          {&energy.kinetic, e.kinetic},   {&energy.gravity, e.gravity},
-      {&energy.elastic, e.elastic},      {&energy.friction, e.friction}, {&energy.damping, e.damping},
-      {&energy.error, turnover_.error()}};
+      {&energy.input, e.input},           {&energy.kinetic, e.kinetic},   {&energy.gravity, e.gravity},
+      {&energy.elastic, e.elastic},       {&energy.friction, e.friction}, {&energy.damping, e.damping},
+      {&energy.error, turnover_.error()}, {&energy.fracture, e.fracture}};
   for (const auto& [column, value] : columns) column->push_back(value);
   energy.largest_input = std::max(energy.largest_input, std::abs(e.input));
   energy.relative_error = turnover_.relative_error();

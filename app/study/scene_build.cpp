@@ -344,6 +344,43 @@ class Builder {
       fail("at", fmt::format("a {} has two different anchors: give anchor_a and anchor_b", choice.kind));
     if (choice.damping && choice.damping_ratio)
       fail("damping", "damping and damping_ratio exclude each other");
+    if (!choice.at && !(choice.anchor_a && choice.anchor_b))
+      fail("at", "expected at, or anchor_a and anchor_b");
+    if (choice.kind == "spring" && !choice.stiffness) fail("stiffness", "a spring needs its stiffness");
+  }
+
+  /// N/m, of a block between its two ends: E times thickness. Terrain is as stiff as the body needs.
+  double own_stiffness(Owner owner, double thickness) const {
+    const auto& s = out_.scene;
+    const std::size_t material =
+        owner.terrain ? s.terrains[owner.index].material : s.bodies[owner.index].material;
+    return s.materials[material].young_modulus * thickness;
+  }
+
+  /// The two in series, as where they touch.
+  double usual_stiffness(Owner a, Owner b) const {
+    const auto& bodies = out_.scene.bodies;
+    const double t = std::min(a.terrain ? INFINITY : bodies[a.index].thickness,
+                              b.terrain ? INFINITY : bodies[b.index].thickness);
+    return 1.0 / (1.0 / own_stiffness(a, t) + 1.0 / own_stiffness(b, t));
+  }
+
+  /// N m/rad, of a face as wide as the slimmer of the two: k w2/12.
+  double usual_rotational_stiffness(Owner a, Owner b, double stiffness) const {
+    const auto width = [&](Owner o) {
+      return o.terrain ? INFINITY : engine::minimum_width(out_.scene.bodies[o.index].shape);
+    };
+    const double w = std::min(width(a), width(b));
+    return stiffness * w * w / 12.0;
+  }
+
+  void stiffen(const JointChoice& choice, engine::Joint& joint) const {
+    if (!owners_.contains(choice.a) || !owners_.contains(choice.b) || (joint.a.terrain && joint.b.terrain))
+      return;
+    joint.stiffness = choice.stiffness.value_or(usual_stiffness(joint.a, joint.b));
+    if (joint.kind == engine::JointKind::weld)
+      joint.rotational_stiffness =
+          choice.rotational_stiffness.value_or(usual_rotational_stiffness(joint.a, joint.b, joint.stiffness));
   }
 
   void add_joint(const JointChoice& choice) {
@@ -354,8 +391,7 @@ class Builder {
     std::tie(joint.a, joint.b) = both_owners(choice);
     joint.anchor_a = anchor(choice.anchor_a, choice.at, joint.a);
     joint.anchor_b = anchor(choice.anchor_b, choice.at, joint.b);
-    joint.stiffness = choice.stiffness.value_or(joint.stiffness);
-    joint.rotational_stiffness = choice.rotational_stiffness.value_or(joint.rotational_stiffness);
+    stiffen(choice, joint);
     joint.damping = choice.damping;
     joint.damping_ratio = choice.damping_ratio.value_or(joint.damping_ratio);
     joint.rest_length = choice.rest_length;

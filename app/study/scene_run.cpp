@@ -224,6 +224,9 @@ ModelSheet scene_sheet(const SceneDescription& description, const engine::Scene&
   }
   for (const engine::Terrain& terrain : scene.terrains) sheet.terrains.push_back(drawn_shape(terrain, scene));
   sheet.bonds = scene.bonds.size();
+  const auto place = [&](engine::Owner o) { return o.terrain ? scene.bodies.size() + o.index : o.index; };
+  for (const engine::Joint& joint : scene.joints)
+    sheet.links.push_back({place(joint.a), place(joint.b), joint.anchor_a, joint.anchor_b});
   return sheet;
 }
 

@@ -239,6 +239,8 @@ class Loop {
       const std::string typed = word("message");
       if (typed == "finish") {
         if (out_.description.bodies.empty()) throw Trouble{"at least one body before finish", "none"};
+        if (rules_.earthquake && out_.description.terrains.empty())
+          throw Trouble{"terrain that the record can shake before finish", "none"};
         return false;
       }
       const auto known = messages();

@@ -415,6 +415,8 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{ball + "[[terrain]]\nshape = \"half-plane\"\nmotion = { record = \"a\", pga = \"1 g\", scale = "
                      "2 }\n",
               "pga and scale exclude each other"},
+        Wrong{joint + "b = \"body1\"\n", "expected at, or anchor_a and anchor_b"},
+        Wrong{ball + "[[joint]]\nkind = \"spring\"\n", "a spring needs its stiffness"},
         Wrong{joint + "b = \"body1\"\n", "a and b are the same"},
         Wrong{joint + "b = \"bdy1\"\n",
               "joint.b of joint1: there is no body or terrain \"bdy1\"; did you mean"},

@@ -116,6 +116,76 @@ TEST(SceneRun, ShakesTheGroundByAShippedRecord) {
   EXPECT_THROW(prepare_scene(d, records), seismic::InputError);
 }
 
+const std::string pendulum = R"(
+[[body]]
+name = "bar"
+shape = "rectangle"
+width = "0.1 m"
+height = "1 m"
+position = ["0 m", "-0.5 m"]
+angle = "1 deg"
+material = "rubber"
+[[terrain]]
+name = "ceiling"
+shape = "circle"
+radius = "0.1 m"
+position = ["0 m", "0.5 m"]
+[[joint]]
+kind = "pin"
+a = "ceiling"
+b = "bar"
+anchor_a = ["0 m", "-0.5 m"]
+anchor_b = ["0 m", "0.5 m"]
+[output]
+rate = "500 Hz"
+)";
+
+TEST(SceneRun, SwingsABarOnAPin) {
+  const SceneResult r = ran(pendulum + "[solve]\nduration = \"2 s\"\n");
+  ASSERT_TRUE(r.valid) << r.reason;
+  // Small swings of a bar about its end: T = 2 pi sqrt(2 L/(3 g)) = 1.638 s; upright a quarter period after
+  // the start, with the slack that an anchor off by a degree of arc gives.
+  const double quarter = 0.25 * 2.0 * M_PI * std::sqrt(2.0 / (3.0 * 9.80665));
+  const auto step = static_cast<std::size_t>(std::lround(500.0 * quarter));
+  EXPECT_NEAR(r.run.trajectory.angle(step, 0), 0.0, 2e-3);
+  EXPECT_LT(r.run.trajectory.angle(2 * step, 0), -0.012);
+  EXPECT_EQ(r.run.model.links.size(), 1u);
+}
+
+TEST(SceneRun, HoldsABlockByABondThatBreaksWhenItIsTooWeak) {
+  const std::string hung = R"(
+[[body]]
+name = "block"
+shape = "rectangle"
+width = "1 m"
+height = "1 m"
+position = ["0 m", "-0.5 m"]
+[[terrain]]
+name = "ceiling"
+shape = "rectangle"
+width = "2 m"
+height = "1 m"
+position = ["0 m", "0.5 m"]
+[[bond]]
+a = "ceiling"
+b = "block"
+start = ["-0.5 m", "0 m"]
+end = ["0.5 m", "0 m"]
+tensile_strength = "STRENGTH"
+[solve]
+duration = "0.5 s"
+)";
+  const auto height_with = [&](const std::string& strength) {
+    std::string text = hung;
+    text.replace(text.find("STRENGTH"), 8, strength);
+    const SceneResult r = ran(text);
+    EXPECT_TRUE(r.valid) << r.reason;
+    return r.run.trajectory.position(r.run.trajectory.times.size() - 1, 0).y;
+  };
+  EXPECT_NEAR(height_with("1 MPa"), -0.5, 1e-4);
+  EXPECT_LT(height_with("1 kPa"), -1.0);  // it weighs 23.5 kPa
+}
+
 TEST(SceneTerms, NameOnlyWhatTheSceneHas) {
   EXPECT_THAT(modelled_terms(prepared(falling)), Not(Contains(HasSubstr("gravitation"))));
   const PreparedScene p =

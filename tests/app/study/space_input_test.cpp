@@ -144,6 +144,10 @@ TEST(SpaceInput, ThatEndsTooSoonSaysWhatWasExpected) {
               AllOf(HasSubstr("mass (kg) of cir"), HasSubstr("the end of the input")));
 }
 
+TEST(SpaceInput, NeedsTerrainForARecord) {
+  EXPECT_THAT(error(ball + "finish kobe 10", {true, "", {}}), HasSubstr("terrain that the record can shake"));
+}
+
 // --- the keyboard ------------------------------------------------------------------------------------------
 
 struct Talk {
@@ -188,7 +192,7 @@ TEST(SpaceKeyboard, AsksForARecordThatIsNotThereAgain) {
   const Talk t = talk(ball + "plane 0 0 1 0 finish\nkobe\nwenchuan\n10\n", rules);
   EXPECT_EQ(t.input.description.terrains[0].motion->source, "wenchuan");
   EXPECT_THAT(t.said, HasSubstr("expected a shipped record: wenchuan, found kobe"));
-  EXPECT_THAT(error(ball + "finish kobe", rules), HasSubstr("a shipped record"));
+  EXPECT_THAT(error(ball + "plane 0 0 1 0 finish kobe", rules), HasSubstr("a shipped record"));
 }
 
 }  // namespace
