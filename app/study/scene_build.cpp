@@ -383,6 +383,25 @@ class Builder {
           choice.rotational_stiffness.value_or(usual_rotational_stiffness(joint.a, joint.b, joint.stiffness));
   }
 
+  Vec2 in_scene(Owner owner, Vec2 anchor) const {
+    const auto& s = out_.scene;
+    const auto placed = [&](const auto& thing) {
+      return thing.position + engine::rotated(anchor, thing.angle);
+    };
+    return owner.terrain ? placed(s.terrains[owner.index]) : placed(s.bodies[owner.index]);
+  }
+
+  /// A pin whose anchors start apart would snap together.
+  void check_anchors(const JointChoice& choice, const engine::Joint& joint) {
+    constexpr double slack = 1e-6;  // m
+    const bool axial = joint.kind == engine::JointKind::distance || joint.kind == engine::JointKind::spring;
+    if (axial || !owners_.contains(choice.a) || !owners_.contains(choice.b)) return;
+    const double apart = engine::norm(in_scene(joint.a, joint.anchor_a) - in_scene(joint.b, joint.anchor_b));
+    if (!choice.at && apart > slack)
+      fail("anchor_b", fmt::format("the anchors of a {} must be at one place, found them {:.3g} m apart",
+                                   choice.kind, apart));
+  }
+
   void add_joint(const JointChoice& choice) {
     check_joint(choice);
     engine::Joint joint;
@@ -391,6 +410,7 @@ class Builder {
     std::tie(joint.a, joint.b) = both_owners(choice);
     joint.anchor_a = anchor(choice.anchor_a, choice.at, joint.a);
     joint.anchor_b = anchor(choice.anchor_b, choice.at, joint.b);
+    check_anchors(choice, joint);
     stiffen(choice, joint);
     joint.damping = choice.damping;
     joint.damping_ratio = choice.damping_ratio.value_or(joint.damping_ratio);

@@ -417,6 +417,10 @@ INSTANTIATE_TEST_SUITE_P(
               "pga and scale exclude each other"},
         Wrong{joint + "b = \"body1\"\n", "expected at, or anchor_a and anchor_b"},
         Wrong{ball + "[[joint]]\nkind = \"spring\"\n", "a spring needs its stiffness"},
+        Wrong{joint + "b = \"g\"\nanchor_a = [\"0 m\", \"0 m\"]\nanchor_b = [\"0.5 m\", \"0 "
+                      "m\"]\n[[terrain]]\nname = "
+                      "\"g\"\nshape = \"half-plane\"\n",
+              "joint.anchor_b of joint1: the anchors of a pin must be at one place, found them 0.5 m apart"},
         Wrong{joint + "b = \"body1\"\n", "a and b are the same"},
         Wrong{joint + "b = \"bdy1\"\n",
               "joint.b of joint1: there is no body or terrain \"bdy1\"; did you mean"},

@@ -122,7 +122,7 @@ name = "bar"
 shape = "rectangle"
 width = "0.1 m"
 height = "1 m"
-position = ["0 m", "-0.5 m"]
+position = ["0.008726203218641756 m", "-0.4999238475781956 m"]
 angle = "1 deg"
 material = "rubber"
 [[terrain]]
@@ -134,8 +134,7 @@ position = ["0 m", "0.5 m"]
 kind = "pin"
 a = "ceiling"
 b = "bar"
-anchor_a = ["0 m", "-0.5 m"]
-anchor_b = ["0 m", "0.5 m"]
+at = ["0 m", "0 m"]
 [output]
 rate = "500 Hz"
 )";
@@ -174,6 +173,7 @@ end = ["0.5 m", "0 m"]
 tensile_strength = "STRENGTH"
 [solve]
 duration = "0.5 s"
+accuracy = "fine"
 )";
   const auto height_with = [&](const std::string& strength) {
     std::string text = hung;
