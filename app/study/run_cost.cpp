@@ -38,6 +38,9 @@ void refuse_too_much_output(double samples, double values, std::size_t bodies) {
 }
 
 void refuse_unstable_step(const engine::DriveOptions& drive, const engine::StepPlan& plan) {
+  if (plan.bound == 0.0)
+    throw std::invalid_argument("solve.integrator: expected one with a stable step here, found " +
+                                drive.integrator + ", under which any undamped vibration grows");
   if (!drive.step || *drive.step <= plan.bound) return;
   throw std::invalid_argument(
       fmt::format("solve.step: expected at most the stability bound of {:.3g} s, found {:.6g} s", plan.bound,
