@@ -109,7 +109,9 @@ class Runner {
   }
 
   double largest_step() const {
-    return std::min(options_.step ? *options_.step : options_.step_fraction * bound_, travel_);
+    // A step that was asked for gives way when a contact appears that it would be unstable for.
+    const bool as_asked = options_.step && *options_.step <= bound_;
+    return std::min(as_asked ? *options_.step : options_.step_fraction * bound_, travel_);
   }
 
   void refresh_bound() {

@@ -59,6 +59,31 @@ constexpr Unit table[] = {
     {"MN/m", stiffness, 1e6, 1, 1e6, 1e9},
     {"GN/m", stiffness, 1e9, 1, 1e9, endless},
     {"N/mm", stiffness, 1e3, 1},
+    {"C", charge, 1, 1, 0, endless},
+    {"mC", charge, 1, 1e3},
+    {"uC", charge, 1, 1e6},
+    {"nC", charge, 1, 1e9},
+    {"rad/s", spin, 1, 1, 0, endless},
+    {"deg/s", spin, pi, 180},
+    {"rpm", spin, pi, 30},
+    {"N s/m", damping, 1, 1, 0, 1e3},
+    {"kN s/m", damping, 1e3, 1, 1e3, endless},
+    {"N s2/m2", quadratic_drag, 1, 1, 0, endless},
+    {"kg/m", quadratic_drag, 1, 1},
+    {"N m/rad", rotational_stiffness, 1, 1, 0, 1e3},
+    {"kN m/rad", rotational_stiffness, 1e3, 1, 1e3, 1e6},
+    {"MN m/rad", rotational_stiffness, 1e6, 1, 1e6, endless},
+    {"Pa/m", areal_stiffness, 1, 1, 0, 1e6},
+    {"MPa/m", areal_stiffness, 1e6, 1, 1e6, 1e9},
+    {"GPa/m", areal_stiffness, 1e9, 1, 1e9, endless},
+    {"J/m2", fracture_energy, 1, 1, 0, endless},
+    {"N/m", fracture_energy, 1, 1},
+    {"V/m", electric_field, 1, 1, 0, 1e3},
+    {"kV/m", electric_field, 1e3, 1, 1e3, endless},
+    {"N/C", electric_field, 1, 1},
+    {"m3/(kg s2)", gravitational_constant, 1, 1, 0, endless},
+    {"N m2/kg2", gravitational_constant, 1, 1},
+    {"N m2/C2", coulomb_constant, 1, 1, 0, endless},
     {"%", ratio, 1, 100},
 };
 
@@ -128,6 +153,26 @@ std::string_view name_of(Dimension dimension) {
       return "force";
     case stiffness:
       return "stiffness";
+    case charge:
+      return "charge";
+    case spin:
+      return "spin";
+    case damping:
+      return "damping coefficient";
+    case quadratic_drag:
+      return "quadratic drag";
+    case rotational_stiffness:
+      return "rotational stiffness";
+    case areal_stiffness:
+      return "stiffness per area";
+    case fracture_energy:
+      return "energy per area";
+    case electric_field:
+      return "electric field";
+    case gravitational_constant:
+      return "gravitational constant";
+    case coulomb_constant:
+      return "Coulomb constant";
   }
   return "unknown";
 }
@@ -161,6 +206,7 @@ std::string print_value(double value, Dimension dimension) {
     if (unit.dimension != dimension || !is_written_in(unit, value)) continue;
     const std::string text = text_in(unit, value);
     if (!text.empty() && (best.empty() || text.size() < best.size())) best = text;
+    if (value == 0.0 && !best.empty()) break;  // nothing is zero kilograms, not zero tonnes
   }
   // Not exact in any unit that is written, or not finite: the SI unit changes no digit.
   return best.empty() ? print_number(value) + " " + si_symbol(dimension) : best;

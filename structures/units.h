@@ -26,6 +26,16 @@ enum class Dimension {
   pressure,
   force,
   stiffness,
+  charge,
+  spin,
+  damping,
+  quadratic_drag,
+  rotational_stiffness,
+  areal_stiffness,
+  fracture_energy,
+  electric_field,
+  gravitational_constant,
+  coulomb_constant,
 };
 
 struct Unit {

@@ -50,6 +50,35 @@ struct ReportOptions {
 };
 int report_command(const ReportOptions& options);
 
+struct SceneOptions {
+  std::string file;
+  std::string out;               // folder of a run, picture of a drawing; empty: as the scene says
+  std::vector<std::string> set;  // key=value
+  bool force = false;
+  std::string command;  // as typed
+};
+/// Whether a scene file is sound: its errors, or what it holds.
+int scene_check_command(const SceneOptions& options);
+int scene_run_command(const SceneOptions& options);
+int scene_draw_command(const SceneOptions& options);
+
+struct DescribeOptions {
+  std::string file;
+  std::vector<std::string> set;  // key=value
+};
+/// What would be modelled, of a scene file or a scenario, and what it would cost.
+int describe_command(const DescribeOptions& options);
+
+struct SpaceOptions {
+  std::string file;  // empty: standard input
+  bool earthquake = false;
+  std::string material, duration, out;
+  bool force = false;
+  std::string command;  // as typed
+};
+/// The message loop: messages in, a run out.
+int space_command(const SpaceOptions& options);
+
 /// Folder of the shipped records: $DOUGONG_RECORDS, or where the program was built from.
 std::filesystem::path records_directory();
 

@@ -1,11 +1,8 @@
 #include <fmt/format.h>
 
 #include "app/cli/commands.h"
+#include "app/cli/model_picture.h"
 #include "app/cli/terminal.h"
-#include "app/report/image.h"
-#include "app/report/model_svg.h"
-#include "app/report/safe_file.h"
-#include "app/report/scene.h"
 #include "app/report/text.h"
 #include "app/study/prepare.h"
 #include "app/study/quantity.h"
@@ -22,18 +19,6 @@ void print_parameters(const structures::Layout& layout, const structures::Parame
   for (const structures::Parameter& p : layout.parameters)
     fmt::print("{:<20}{:>12}{:>12}   {:<26}{}\n", p.name, printed(p, values.at(p.name)),
                printed(p, p.standard), printed(p, p.least) + " .. " + printed(p, p.most), p.meaning);
-}
-
-// Found out before anything is printed.
-void refuse_picture(const std::filesystem::path& path, bool force) {
-  if (path.extension() != ".png" && path.extension() != ".svg")
-    throw FileError(path, "write the picture", "expected a name that ends in .png or .svg");
-  if (!force && std::filesystem::exists(path))
-    throw FileError(path, "write the picture", "the file exists; give --force or another --picture");
-}
-
-void write_picture(const ModelSheet& model, const std::filesystem::path& path) {
-  write_file(path, path.extension() == ".svg" ? model_svg(model) : png_of(draw_model(model)));
 }
 
 }  // namespace
@@ -55,7 +40,7 @@ int layout_show_command(const LayoutShowOptions& options) {
   const Scenario scenario = scenario_from(overrides, RecordRule::optional);
   const structures::Layout& layout = structures::find_layout(scenario.layout.name);
   const std::filesystem::path path = options.picture.empty() ? layout.name + ".png" : options.picture;
-  refuse_picture(path, options.force);
+  refuse_picture(path, "--picture", options.force);
   const structures::Building building = structures::build_layout(layout.name, scenario.layout.parameters);
   const ModelSheet sheet = model_sheet(building);
 
@@ -65,7 +50,7 @@ int layout_show_command(const LayoutShowOptions& options) {
              sheet.storeys.size());
   for (const structures::Finding& finding : structures::check_model(building))
     fmt::print("{}: {}\n", to_string(finding.severity), finding.message);
-  write_picture(sheet, path);
+  write_model_picture(sheet, path);
   fmt::print("picture: {}\n", path.string());
   return exit_survived;
 }

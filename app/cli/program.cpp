@@ -31,6 +31,9 @@ struct Request {
   LayoutShowOptions layout;
   RecordInfoOptions record;
   ReportOptions report;
+  SceneOptions scene;
+  DescribeOptions describe;
+  SpaceOptions space;
   std::function<int()> command;
 };
 
@@ -97,6 +100,76 @@ void add_report(CLI::App& app, Request& r) {
   report->callback([&r] { r.command = [&r] { return report_command(r.report); }; });
 }
 
+void add_set(CLI::App& app, std::vector<std::string>& set, const char* meaning) {
+  app.add_option("--set", set, meaning)->take_all()->allow_extra_args(false);
+}
+
+CLI::App* add_scene_command(CLI::App& scene, Request& r, const char* name, const char* meaning,
+                            int (*command)(const SceneOptions&)) {
+  CLI::App* app = scene.add_subcommand(name, meaning);
+  app->add_option("file", r.scene.file, "Scene file (TOML, docs/scene.md)")->required();
+  add_set(*app, r.scene.set, "key=value of the scene: duration=\"5 s\", body.NAME.mass=\"2 t\"");
+  app->callback([&r, command] { r.command = [&r, command] { return command(r.scene); }; });
+  return app;
+}
+
+void add_scene(CLI::App& app, Request& r) {
+  CLI::App* scene = app.add_subcommand("scene", "Free scenes: bodies, terrain, joints and fields of a file");
+  scene->require_subcommand(1);
+  scene->footer("Example: dougong scene run app/examples/pendulum.toml");
+  add_scene_command(*scene, r, "check", "Say what is wrong with a scene file, or that nothing is",
+                    scene_check_command)
+      ->footer("Exit codes: 0 sound, 2 not.\nExample: dougong scene check pendulum.toml");
+  CLI::App* run = add_scene_command(*scene, r, "run", "Run a scene and keep its motion", scene_run_command);
+  run->add_option("--out", r.scene.out, "Folder for the results (dougong-out)");
+  run->add_flag("--force", r.scene.force, "Write into a folder that already holds something");
+  run->footer(
+      "Writes results.h5, scene.toml, bodies.csv, energy.csv and pictures.\n"
+      "Exit codes: 0 completed, 20 numerically invalid, 30 interrupted, 2 bad input.\n"
+      "Example: dougong scene run pendulum.toml --set duration=\"5 s\" --out out/pendulum");
+  CLI::App* draw =
+      add_scene_command(*scene, r, "draw", "Draw a scene as its file describes it", scene_draw_command);
+  draw->add_option("--out", r.scene.out, "PNG or SVG file to draw (FILE.png in the current folder)");
+  draw->add_flag("--force", r.scene.force, "Write over an existing picture");
+  draw->footer("Example: dougong scene draw pendulum.toml --out pendulum.svg");
+}
+
+void add_describe(CLI::App& app, Request& r) {
+  CLI::App* describe =
+      app.add_subcommand("describe", "What a scene or scenario would model, its step and its cost");
+  describe->add_option("file", r.describe.file, "Scene file or scenario file (TOML)")->required();
+  add_set(*describe, r.describe.set, "key=value of the file");
+  describe->footer("Example: dougong describe pendulum.toml");
+  describe->callback([&r] { r.command = [&r] { return describe_command(r.describe); }; });
+}
+
+void add_space(CLI::App& app, Request& r) {
+  CLI::App* space = app.add_subcommand("space", "Enter a scene message by message, then run it");
+  space->add_option("file", r.space.file, "Text with the messages; without one they are typed or piped in");
+  space->add_flag("--earthquake", r.space.earthquake, "Shake the terrain: a record's name follows finish");
+  space->add_option("--material", r.space.material,
+                    "Of all bodies and terrain: concrete, brick, stone, timber, steel, rubber, glass, ptfe "
+                    "(concrete with friction 0.5)");
+  space->add_option("--duration", r.space.duration, "Simulated time (\"10 s\")");
+  space->add_option("--out", r.space.out, "Folder for the results (dougong-out)");
+  space->add_flag("--force", r.space.force, "Write into a folder that already holds something");
+  space->footer(
+      "Messages, all values bare numbers in SI units:\n"
+      "  cir      charge  velocity x y  spin  mass  centre x y  radius\n"
+      "  tri      charge  velocity x y  spin  mass  three corners x y\n"
+      "  rect     charge  velocity x y  spin  mass  length  width  centre x y  direction (rad)\n"
+      "  tercir   centre x y  radius\n"
+      "  tertri   three corners x y\n"
+      "  terrect  length  width  centre x y  direction (rad)\n"
+      "  plane    two points x y; solid below the line\n"
+      "  star     position x y  mass  velocity x y\n"
+      "  save     a file to write the scene to\n"
+      "  finish   then, with --earthquake, a record's name; then n: the step is 0.01 s / n\n"
+      "Exit codes: 0 completed, 20 numerically invalid, 30 interrupted, 2 bad input.\n"
+      "Example: dougong space app/examples/table-edge.space --duration \"3 s\" --out out/table");
+  space->callback([&r] { r.command = [&r] { return space_command(r.space); }; });
+}
+
 void describe_program(CLI::App& app, Request& r) {
   app.set_version_flag("--version", fmt::format("dougong {} ({}, {})", program_version(), program_git_hash(),
                                                 program_compiler()));
@@ -106,6 +179,9 @@ void describe_program(CLI::App& app, Request& r) {
   add_layouts(app, r);
   add_records(app, r);
   add_report(app, r);
+  add_scene(app, r);
+  add_describe(app, r);
+  add_space(app, r);
 }
 
 int report_error(const std::string& text) {
@@ -210,7 +286,7 @@ int run_program(int argc, const char* const* argv) {
       "Dougong: how far does a building of blocks drift on a real ground motion, and does it collapse?",
       "dougong"};
   Request request;
-  request.run.command = command_text(argc, argv);
+  request.run.command = request.scene.command = request.space.command = command_text(argc, argv);
   describe_program(app, request);
   try {
     app.parse(argc, argv);

@@ -11,29 +11,10 @@
 namespace dougong::app {
 namespace {
 
-std::string row(const std::string& name, const std::string& value) {
-  return fmt::format("  {:<13}{}", name, value);
-}
-
-std::string time_text(double value) {
-  if (value < 1e-3) return fmt::format("{:.3g} us", 1e6 * value);
-  if (value < 1.0) return fmt::format("{:.3g} ms", 1e3 * value);
-  if (value < 100.0) return fmt::format("{:.3g} s", value);
-  if (value < 6000.0) return fmt::format("{:.0f} min", value / 60.0);
-  return fmt::format("{:.3g} h", value / 3600.0);
-}
-
 std::string period_text(const Preparation& p) {
   if (p.period == 0.0) return "none found (no stable horizontal mode)";
   return fmt::format("{:.3f} s for small amplitudes, carrying {:.0f} % of the mass", p.period,
                      100.0 * p.participation);
-}
-
-// The heads of the sheet's sentences: what stands before the colon.
-std::string heads_of(const std::vector<std::string>& terms) {
-  std::string heads;
-  for (const std::string& term : terms) heads += (heads.empty() ? "" : "; ") + term.substr(0, term.find(':'));
-  return heads;
 }
 
 std::string settle_text(const Preparation& p) {
@@ -118,6 +99,24 @@ std::string numbers_text(const RunResult& r) {
 }
 
 }  // namespace
+
+std::string row(const std::string& name, const std::string& value) {
+  return fmt::format("  {:<13}{}", name, value);
+}
+
+std::string heads_of(const std::vector<std::string>& terms) {
+  std::string heads;
+  for (const std::string& term : terms) heads += (heads.empty() ? "" : "; ") + term.substr(0, term.find(':'));
+  return heads;
+}
+
+std::string time_text(double value) {
+  if (value < 1e-3) return fmt::format("{:.3g} us", 1e6 * value);
+  if (value < 1.0) return fmt::format("{:.3g} ms", 1e3 * value);
+  if (value < 100.0) return fmt::format("{:.3g} s", value);
+  if (value < 6000.0) return fmt::format("{:.0f} min", value / 60.0);
+  return fmt::format("{:.3g} h", value / 3600.0);
+}
 
 std::vector<std::string> preparation_text(const Preparation& p) {
   const ModelSheet sheet = model_sheet(p);

@@ -10,6 +10,13 @@ struct ToneLine {
   Tone tone = Tone::plain;
 };
 
+/// A name and its value, in two columns.
+std::string row(const std::string& name, const std::string& value);
+/// "2.5 ms", "41 s", "3 h".
+std::string time_text(double value);
+/// The heads of a sheet's sentences: what stands before the colon.
+std::string heads_of(const std::vector<std::string>& terms);
+
 std::vector<std::string> preparation_text(const Preparation& preparation);
 std::vector<ToneLine> answer_text(const RunResult& result);
 std::vector<std::string> files_text(const std::filesystem::path& directory, std::size_t files);

@@ -44,10 +44,6 @@ bool can_move_its_cursor(std::FILE* stream) {
   return isatty(fileno(stream)) != 0 && kind != nullptr && std::string_view(kind) != "dumb";
 }
 
-double fraction_of(const Progress& p) {
-  return p.end_time > 0.0 ? p.time / p.end_time : 1.0;
-}
-
 // Beyond this a level is falling, not drifting; the report freezes its drift where it was lost.
 constexpr double falling = 0.5;
 
@@ -58,6 +54,11 @@ std::string drift_so_far(double ratio) {
 std::string describe(const Progress& p) {
   return fmt::format("{:6.2f} / {:.2f} s   peak drift {}   energy error {:.2g} %", p.time, p.end_time,
                      drift_so_far(p.peak_drift), 100.0 * p.energy_error);
+}
+
+std::string describe(const SceneProgress& p) {
+  return fmt::format("{:6.2f} / {:.2f} s   fastest {:.3g} m/s   energy error {:.2g} %", p.time, p.end_time,
+                     p.fastest, 100.0 * p.energy_error);
 }
 
 }  // namespace
@@ -87,18 +88,27 @@ void Terminal::line(const std::string& text, Tone tone) const {
 }
 
 void Terminal::progress(const Progress& p) {
-  if (interactive_) return update_line(p);
-  const int tenth = static_cast<int>(10.0 * fraction_of(p));
-  if (tenth == last_tenth_) return;
-  last_tenth_ = tenth;
-  write(fmt::format("  {:3d} %  {}\n", 10 * tenth, describe(p)));
+  show_progress(p.time, p.end_time, describe(p));
 }
 
-void Terminal::update_line(const Progress& p) {
+void Terminal::progress(const SceneProgress& p) {
+  show_progress(p.time, p.end_time, describe(p));
+}
+
+void Terminal::show_progress(double time, double end_time, const std::string& text) {
+  const double fraction = end_time > 0.0 ? time / end_time : 1.0;
+  if (interactive_) return update_line(fraction, text);
+  const int tenth = static_cast<int>(10.0 * fraction);
+  if (tenth == last_tenth_) return;
+  last_tenth_ = tenth;
+  write(fmt::format("  {:3d} %  {}\n", 10 * tenth, text));
+}
+
+void Terminal::update_line(double fraction, const std::string& text) {
   const Clock::time_point now = Clock::now();
-  if (open_line_ && now - last_update_ < between_updates && p.time < p.end_time) return;
+  if (open_line_ && now - last_update_ < between_updates && fraction < 1.0) return;
   last_update_ = now;
-  write("\r" + one_line(fraction_of(p), describe(p), columns_of(stream_)) + "\033[K");
+  write("\r" + one_line(fraction, text, columns_of(stream_)) + "\033[K");
   open_line_ = true;
 }
 

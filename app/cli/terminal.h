@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/study/execute.h"
+#include "app/study/scene_run.h"
 
 namespace dougong::app {
 
@@ -19,6 +20,7 @@ class Terminal {
   void line(const std::string& text = {}, Tone tone = Tone::plain) const;
   /// One line that replaces the last; only on a terminal, else one line every tenth of the run.
   void progress(const Progress& progress);
+  void progress(const SceneProgress& progress);
   void end_progress();
 
  private:
@@ -26,7 +28,8 @@ class Terminal {
 
   std::string painted(const std::string& text, Tone tone) const;
   void write(const std::string& text) const;
-  void update_line(const Progress& progress);
+  void show_progress(double time, double end_time, const std::string& text);
+  void update_line(double fraction, const std::string& text);
 
   std::FILE* stream_;
   bool interactive_;

@@ -32,6 +32,36 @@ Box clipped(Box box, Box limits) {
           {std::min(box.high.x, limits.high.x), std::min(box.high.y, limits.high.y)}};
 }
 
+/// The half-plane normal . p >= least.
+struct Side {
+  Vec2 normal;
+  double least;
+  double inside(Vec2 p) const { return engine::dot(normal, p) - least; }
+};
+
+/// Sutherland and Hodgman, Comm. ACM 17 (1974) 32-42: one side at a time.
+std::vector<Vec2> kept_by(const Side& side, const std::vector<Vec2>& outline) {
+  std::vector<Vec2> out;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Vec2 a = outline[i], b = outline[(i + 1) % outline.size()];
+    const double from = side.inside(a), to = side.inside(b);
+    if (from >= 0.0) out.push_back(a);
+    if ((from < 0.0) != (to < 0.0)) out.push_back(a + (from / (from - to)) * (b - a));
+  }
+  return out;
+}
+
+/// What of the terrain a picture of the bodies should show: not more than again their own size around.
+constexpr double terrain_reach = 0.6;  // of the bodies' extent
+
+void include_terrain(Box& box, const ModelSheet& model) {
+  const double extent = std::max(box.width(), box.height());
+  const Box near = box.grown(terrain_reach * extent);
+  for (const DrawnShape& terrain : model.terrains)
+    for (const auto& outline : outlines(terrain, described_pose(terrain)))
+      include(box, clipped_outline(outline, near));
+}
+
 Vec2 relative_position(const Trajectory& t, std::size_t step, std::size_t block) {
   const Vec2 ground = step < t.ground_displacement.size() ? t.ground_displacement[step] : Vec2{};
   return t.position(step, block) - ground;
@@ -50,6 +80,22 @@ std::vector<Vec2> corners(const DrawnShape& shape, const Pose& pose) {
   return out;
 }
 
+std::vector<std::vector<Vec2>> outlines(const DrawnShape& shape, const Pose& pose) {
+  if (shape.parts.empty()) return {corners(shape, pose)};
+  std::vector<std::vector<Vec2>> out;
+  for (const DrawnShape& part : shape.parts)
+    out.push_back(
+        corners(part, {pose.position + engine::rotated(part.position, pose.angle), pose.angle + part.angle}));
+  return out;
+}
+
+std::vector<Vec2> clipped_outline(std::vector<Vec2> outline, const Box& box) {
+  for (const Side& side : {Side{{1, 0}, box.low.x}, Side{{-1, 0}, -box.high.x}, Side{{0, 1}, box.low.y},
+                           Side{{0, -1}, -box.high.y}})
+    outline = kept_by(side, outline);
+  return outline;
+}
+
 Pose described_pose(const DrawnShape& shape) {
   return {shape.position, shape.angle};
 }
@@ -66,7 +112,9 @@ double moved(const Trajectory& t, std::size_t step, std::size_t block) {
 
 Box model_bounds(const ModelSheet& model) {
   Box box = nothing;
-  for (const DrawnShape& block : model.blocks) include(box, corners(block, described_pose(block)));
+  for (const DrawnShape& block : model.blocks)
+    for (const auto& outline : outlines(block, described_pose(block))) include(box, outline);
+  if (model.free_scene && box.low.x < box.high.x) include_terrain(box, model);
   return box.low.x < box.high.x ? box : Box{{-1.0, 0.0}, {1.0, 1.0}};
 }
 
@@ -75,7 +123,9 @@ Box run_bounds(const RunResult& run, const std::vector<std::size_t>& steps, doub
   Box box = model;
   for (const std::size_t step : steps) {
     for (std::size_t i = 0; i < std::min(run.trajectory.blocks, run.model.blocks.size()); ++i) {
-      include(box, corners(run.model.blocks[i], pose_at(run.trajectory, step, i, magnification)));
+      for (const auto& outline :
+           outlines(run.model.blocks[i], pose_at(run.trajectory, step, i, magnification)))
+        include(box, outline);
     }
   }
   return clipped(box, model.grown(debris_reach * std::max(model.width(), model.height())));

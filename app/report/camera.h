@@ -25,8 +25,12 @@ struct Pose {
   double angle = 0.0;
 };
 
-/// Corners in the world, circles as 48-gons.
+/// Corners in the world, circles as 48-gons. Of a compound: empty.
 std::vector<engine::Vec2> corners(const DrawnShape& shape, const Pose& pose);
+/// The convex outlines that a shape is drawn as: one, or one for each part of a compound.
+std::vector<std::vector<engine::Vec2>> outlines(const DrawnShape& shape, const Pose& pose);
+/// What of a convex outline lies in the box: ground that reaches far beyond a picture.
+std::vector<engine::Vec2> clipped_outline(std::vector<engine::Vec2> outline, const Box& box);
 Pose described_pose(const DrawnShape& shape);
 /// Relative to the ground, with the displacement since the first output magnified.
 Pose pose_at(const structures::Trajectory& trajectory, std::size_t step, std::size_t block,
@@ -34,7 +38,8 @@ Pose pose_at(const structures::Trajectory& trajectory, std::size_t step, std::si
 /// Distance moved relative to the ground since the first output, m.
 double moved(const structures::Trajectory& trajectory, std::size_t step, std::size_t block);
 
-/// Around the blocks as described; a metre around the origin without blocks.
+/// Around the blocks as described, and the near terrain of a free scene; a metre around the origin without
+/// blocks.
 Box model_bounds(const ModelSheet& model);
 /// Around every block at these steps, debris included, up to 1.5 building sizes away.
 Box run_bounds(const RunResult& run, const std::vector<std::size_t>& steps, double magnification);

@@ -15,14 +15,6 @@ struct Column {
   std::function<std::string(std::size_t)> cell;
 };
 
-/// RFC 4180: quoted only when needed.
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string out = "\"";
-  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return out + "\"";
-}
-
 std::string cell_at(const std::vector<double>& values, std::size_t row) {
   return row < values.size() ? exact(values[row]) : "";
 }
@@ -33,7 +25,7 @@ Column numbers(const std::string& header, const std::vector<double>& values) {
 
 std::string table(const std::vector<Column>& columns, std::size_t rows) {
   std::string out;
-  for (std::size_t i = 0; i < columns.size(); ++i) out += (i == 0 ? "" : ",") + quoted(columns[i].header);
+  for (std::size_t i = 0; i < columns.size(); ++i) out += (i == 0 ? "" : ",") + csv_text(columns[i].header);
   out += "\n";
   for (std::size_t row = 0; row < rows; ++row) {
     for (std::size_t i = 0; i < columns.size(); ++i) out += (i == 0 ? "" : ",") + columns[i].cell(row);
@@ -60,6 +52,13 @@ std::string storeys_csv(const RunResult& run, const std::string& quantity, Histo
 
 }  // namespace
 
+std::string csv_text(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string out = "\"";
+  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return out + "\"";
+}
+
 std::string drift_csv(const RunResult& run) {
   return storeys_csv(run, "interstorey drift ratio (1)", &StoreyResponse::drift);
 }
@@ -82,11 +81,12 @@ std::string roof_and_base_shear_csv(const RunResult& run) {
 
 std::string energy_csv(const RunResult& run) {
   const EnergyHistory& e = run.energy;
-  return table({numbers("time (s)", run.trajectory.times), numbers("input (J)", e.input),
-                numbers("kinetic (J)", e.kinetic), numbers("gravity (J)", e.gravity),
-                numbers("elastic (J)", e.elastic), numbers("friction (J)", e.friction),
-                numbers("damping (J)", e.damping), numbers("error (J)", e.error)},
-               run.trajectory.times.size());
+  std::vector<Column> columns{numbers("time (s)", run.trajectory.times), numbers("input (J)", e.input),
+                              numbers("kinetic (J)", e.kinetic),         numbers("gravity (J)", e.gravity),
+                              numbers("elastic (J)", e.elastic),         numbers("friction (J)", e.friction),
+                              numbers("damping (J)", e.damping),         numbers("error (J)", e.error)};
+  if (run.model.bonds > 0) columns.insert(columns.end() - 1, numbers("fracture (J)", e.fracture));
+  return table(columns, run.trajectory.times.size());
 }
 
 std::string motion_csv(const RunResult& run) {

@@ -9,10 +9,17 @@
 
 namespace dougong::app {
 
+/// RFC 4180: quoted only when needed.
+std::string csv_text(const std::string& text);
+
 std::string drift_csv(const RunResult& run);         // time; drift and lost of every storey
 std::string acceleration_csv(const RunResult& run);  // time; absolute floor acceleration and lost
 std::string roof_and_base_shear_csv(const RunResult& run);
 std::string energy_csv(const RunResult& run);
 std::string motion_csv(const RunResult& run);
+
+struct SceneResult;
+/// Tidy: one row a body and output time, with the quantities that the scene keeps.
+std::string bodies_csv(const SceneResult& result);
 
 }  // namespace dougong::app

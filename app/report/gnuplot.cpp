@@ -1,15 +1,11 @@
 #include "app/report/gnuplot.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <cerrno>
 #include <system_error>
 
 #include "app/report/safe_file.h"
+#include "app/report/subprocess.h"
 
 namespace dougong::app {
 namespace {
@@ -17,50 +13,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* script_name = "script.gp";
-constexpr const char* message_name = "messages.txt";
 constexpr const char* font = "Arial";
 constexpr const char* font_stack = "Arial, Liberation Sans, Helvetica, sans-serif";
 constexpr int font_size = 13;  // px at 1x
-
-/// Files of the child: script in, whatever it says to one file.
-class FileActions {
- public:
-  explicit FileActions(const fs::path& folder) {
-    posix_spawn_file_actions_init(&actions_);
-    posix_spawn_file_actions_addchdir_np(&actions_, folder.c_str());
-    posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, script_name, O_RDONLY, 0);
-    posix_spawn_file_actions_addopen(&actions_, STDOUT_FILENO, message_name, O_WRONLY | O_CREAT | O_TRUNC,
-                                     0600);
-    posix_spawn_file_actions_adddup2(&actions_, STDOUT_FILENO, STDERR_FILENO);
-  }
-  ~FileActions() { posix_spawn_file_actions_destroy(&actions_); }
-  FileActions(const FileActions&) = delete;
-  FileActions& operator=(const FileActions&) = delete;
-  const posix_spawn_file_actions_t* get() const { return &actions_; }
-
- private:
-  posix_spawn_file_actions_t actions_;
-};
-
-pid_t start(const FileActions& files) {
-  char program[] = "gnuplot", no_user_settings[] = "-d";
-  char* const arguments[] = {program, no_user_settings, nullptr};
-  pid_t child = 0;
-  const int error = posix_spawnp(&child, program, files.get(), nullptr, arguments, environ);
-  if (error == ENOENT) {
-    throw PlotError("gnuplot is not installed, and the plots need it: install the package gnuplot-nox");
-  }
-  if (error != 0) throw PlotError("cannot start gnuplot: " + std::generic_category().message(error));
-  return child;
-}
-
-int wait_for(pid_t child) {
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0) {
-    if (errno != EINTR) throw PlotError("lost gnuplot: " + std::generic_category().message(errno));
-  }
-  return status;
-}
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
   for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size()) {
@@ -85,9 +40,13 @@ std::string png_terminal(const Figure& f) {
 
 void run_gnuplot(const std::string& script, const fs::path& folder) {
   write_file(folder / script_name, script);
-  const int status = wait_for(start(FileActions(folder)));
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return;
-  const std::string said = read_file(folder / message_name);
+  try {
+    if (run_in(folder, {"gnuplot", "-d"}, script_name)) return;  // -d: no settings of the user
+  } catch (const std::system_error& error) {
+    if (error.code() != std::errc::no_such_file_or_directory) throw PlotError(error.what());
+    throw PlotError("gnuplot is not installed, and the plots need it: install the package gnuplot-nox");
+  }
+  const std::string said = read_file(folder / messages_name);
   throw PlotError("gnuplot failed: " + (said.empty() ? "no message" : said.substr(0, 2000)));
 }
 

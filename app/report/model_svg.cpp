@@ -42,8 +42,13 @@ std::string path_of(const std::vector<Vec2>& world, const Sheet& sheet) {
   return out + "Z";
 }
 
-std::string terrain_part(const DrawnShape& terrain, const Sheet& sheet) {
-  const auto outline = corners(terrain, described_pose(terrain));
+/// Ground is cut a little outside the picture, so that no cut edge is seen.
+double hatched_beyond(const Sheet& sheet) {
+  return 20.0 / sheet.camera.pixels_per_metre;
+}
+
+std::string ground_part(const std::vector<Vec2>& outline, const Sheet& sheet) {
+  if (outline.size() < 3) return "";
   std::string out =
       fmt::format("<path d=\"{}\" fill=\"{}\"/>\n", path_of(outline, sheet), to_hex(ink::terrain));
   for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -62,13 +67,40 @@ std::string terrain_part(const DrawnShape& terrain, const Sheet& sheet) {
   return out;
 }
 
+std::string terrain_part(const DrawnShape& terrain, const Sheet& sheet) {
+  std::string out;
+  for (const auto& outline : outlines(terrain, described_pose(terrain)))
+    out += ground_part(clipped_outline(outline, sheet.camera.box.grown(hatched_beyond(sheet))), sheet);
+  return out;
+}
+
 std::string block_part(const DrawnShape& block, const Sheet& sheet) {
   const Colour tint = block.storey < 0
                           ? ink::block
                           : mixed(category(static_cast<std::size_t>(block.storey)), ink::white, 0.66);
-  return fmt::format("<path d=\"{}\" fill=\"{}\"><title>{}: {}</title></path>\n",
-                     path_of(corners(block, described_pose(block)), sheet), to_hex(tint),
+  std::string paths;
+  for (const auto& outline : outlines(block, described_pose(block))) paths += path_of(outline, sheet);
+  return fmt::format("<path d=\"{}\" fill=\"{}\"><title>{}: {}</title></path>\n", paths, to_hex(tint),
                      escape_markup(block.name), escape_markup(mass_text(block.mass)));
+}
+
+/// Joints: a line between the anchors and a ring at each.
+std::string links_part(const ModelSheet& model, const Sheet& sheet) {
+  std::string out;
+  const auto end = [&](std::size_t owner, Vec2 anchor) {
+    const Pose pose = described_pose(
+        owner < model.blocks.size() ? model.blocks[owner] : model.terrains[owner - model.blocks.size()]);
+    return sheet.at(pose.position + engine::rotated(anchor, pose.angle));
+  };
+  for (const DrawnLink& link : model.links) {
+    const Vec2 a = end(link.a, link.anchor_a), b = end(link.b, link.anchor_b);
+    out += fmt::format(
+        "<path d=\"M{0:.2f} {1:.2f}L{2:.2f} {3:.2f}\"/><circle cx=\"{0:.2f}\" cy=\"{1:.2f}\" r=\"2.6\"/>"
+        "<circle cx=\"{2:.2f}\" cy=\"{3:.2f}\" r=\"2.6\"/>\n",
+        a.x, a.y, b.x, b.y);
+  }
+  return out.empty() ? ""
+                     : fmt::format("<g fill=\"#ffffff\" stroke=\"{}\">\n{}</g>\n", to_hex(ink::outline), out);
 }
 
 std::string text_part(double x, double y, const std::string& text, Colour colour = ink::text) {
@@ -127,7 +159,8 @@ std::string model_svg(const ModelSheet& model) {
   out += fmt::format("<g stroke=\"{}\" stroke-width=\"{}\" stroke-linejoin=\"round\">\n",
                      to_hex(ink::outline), line);
   for (const DrawnShape& block : model.blocks) out += block_part(block, sheet);
-  return out + "</g>\n</g>\n" + storeys_part(model, sheet) + scale_bar_part(sheet) + "</svg>\n";
+  return out + "</g>\n" + links_part(model, sheet) + "</g>\n" + storeys_part(model, sheet) +
+         scale_bar_part(sheet) + "</svg>\n";
 }
 
 }  // namespace dougong::app

@@ -5,6 +5,7 @@
 
 #include "app/report/hdf5.h"
 #include "app/report/results_fields.h"
+#include "app/report/results_writer.h"
 #include "app/report/safe_file.h"
 
 namespace dougong::app {
@@ -14,7 +15,6 @@ using engine::Vec2;
 using structures::VerdictKind;
 
 constexpr const char* format_name = "dougong results";
-static_assert(sizeof(Vec2) == 2 * sizeof(double), "a Vec2 is written as two doubles");
 
 constexpr VerdictKind verdict_kinds[] = {VerdictKind::survived, VerdictKind::collapsed,
                                          VerdictKind::numerically_invalid, VerdictKind::undecided};
@@ -25,92 +25,6 @@ VerdictKind verdict_named(const std::string& text) {
   }
   throw h5::Error("unknown verdict \"" + text + "\"");
 }
-
-/// Walks a const RunResult and writes.
-class Writer {
- public:
-  explicit Writer(hid_t here) : here_(here) {}
-
-  template <class Inner>
-  void group(const std::string& name, Inner inner) {
-    const h5::Handle below = h5::make_group(here_, name);
-    const hid_t above = std::exchange(here_, below);
-    inner();
-    here_ = above;
-  }
-  template <class Rows, class Inner>
-  void table(const std::string& name, const Rows&, Inner inner) {
-    group(name, inner);
-  }
-  template <class Rows, class Inner>
-  void rows(const std::string& name, const Rows& rows, Inner inner) {
-    group(name, [&] {
-      for (std::size_t i = 0; i < rows.size(); ++i) group(std::to_string(i), [&] { inner(rows[i]); });
-    });
-  }
-  template <class Row, class T>
-  void column(const std::string& name, const char* unit, const std::vector<Row>& rows, T Row::*member) {
-    std::vector<T> values;
-    for (const Row& row : rows) values.push_back(row.*member);
-    field(name, unit, values);
-  }
-
-  void field(const std::string& name, const char* unit, double value) {
-    h5::write_numbers(here_, name, unit, {}, &value);
-  }
-  void field(const std::string& name, const char*, std::size_t value) {
-    integer(name, static_cast<std::int64_t>(value));
-  }
-  void field(const std::string& name, const char*, bool value) { integer(name, value ? 1 : 0); }
-  void field(const std::string& name, const char*, const std::string& text) {
-    h5::write_texts(here_, name, {}, {text});
-  }
-  void field(const std::string& name, const char*, VerdictKind kind) {
-    field(name, "", structures::to_string(kind));
-  }
-  void field(const std::string& name, const char* unit, const std::optional<double>& value) {
-    if (value) field(name, unit, *value);
-  }
-  void field(const std::string& name, const char* unit, const std::vector<double>& values) {
-    h5::write_numbers(here_, name, unit, {values.size()}, values.data());
-  }
-  void field(const std::string& name, const char* unit, const std::vector<Vec2>& values) {
-    h5::write_numbers(here_, name, unit, {values.size(), 2}, values.empty() ? nullptr : &values[0].x);
-  }
-  void field(const std::string& name, const char*, const std::vector<std::string>& texts) {
-    h5::write_texts(here_, name, {texts.size()}, texts);
-  }
-  template <class Integer>
-  requires std::is_integral_v<Integer>
-  void field(const std::string& name, const char*, const std::vector<Integer>& values) {
-    const std::vector<std::int64_t> wide(values.begin(), values.end());
-    h5::write_integers(here_, name, {wide.size()}, wide.data());
-  }
-  /// Lists of unequal length: all points in one dataset, and how many belong to each.
-  void field(const std::string& name, const char* unit, const std::vector<std::vector<Vec2>>& lists) {
-    std::vector<Vec2> all;
-    std::vector<std::size_t> counts;
-    for (const auto& list : lists) {
-      counts.push_back(list.size());
-      all.insert(all.end(), list.begin(), list.end());
-    }
-    field(name, unit, all);
-    field(name + "_count", "", counts);
-  }
-  /// Shaped when the sizes agree, flat otherwise.
-  void matrix(const std::string& name, const char* unit, const std::vector<double>& values,
-              const h5::Shape& shape) {
-    hsize_t product = 1;
-    for (const hsize_t extent : shape) product *= extent;
-    h5::write_numbers(here_, name, unit, product == values.size() ? shape : h5::Shape{values.size()},
-                      values.data());
-  }
-
- private:
-  void integer(const std::string& name, std::int64_t value) { h5::write_integers(here_, name, {}, &value); }
-
-  hid_t here_;
-};
 
 /// Walks a RunResult and fills it.
 class Reader {
@@ -227,7 +141,7 @@ std::string results_image(const RunResult& run) {
   const h5::Handle file = h5::new_file_in_memory();
   h5::write_text_attribute(file, "format", format_name);
   h5::write_integer_attribute(file, "format_version", results_format_version);
-  Writer writer(file);
+  ResultsWriter writer(file);
   walk_run(writer, run);
   return h5::image(file);
 }

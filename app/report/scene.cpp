@@ -86,14 +86,28 @@ void draw_hatch(Drawing& drawing, Vec2 from, Vec2 to, double scale) {
 }
 
 /// A flat mid-grey, hatched along every edge that faces up.
-void draw_terrain(Drawing& drawing, const DrawnShape& terrain, const Camera& camera, double scale) {
-  std::vector<Vec2> outline;
-  for (const Vec2 p : corners(terrain, described_pose(terrain))) outline.push_back(camera.to_pixels(p));
+void draw_ground(Drawing& drawing, const std::vector<Vec2>& outline, double scale) {
+  if (outline.size() < 3) return;
   drawing.polygon(outline, ink::terrain);
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const Vec2 a = outline[i], b = outline[(i + 1) % outline.size()];
     if (a.x - b.x > 0.3 * engine::norm(b - a)) draw_hatch(drawing, a, b, scale);
   }
+}
+
+std::vector<Vec2> in_pixels(const std::vector<Vec2>& world, const Camera& camera) {
+  std::vector<Vec2> out;
+  for (const Vec2 p : world) out.push_back(camera.to_pixels(p));
+  return out;
+}
+
+/// Cut a little outside the picture, so that no cut edge is seen.
+void draw_terrain(Drawing& drawing, const DrawnShape& terrain, const Camera& camera, double scale,
+                  Vec2 displacement = {}) {
+  const Pose pose{terrain.position + displacement, terrain.angle};
+  const Box box = camera.box.grown(20.0 * scale / camera.pixels_per_metre);
+  for (const auto& outline : outlines(terrain, pose))
+    draw_ground(drawing, in_pixels(clipped_outline(outline, box), camera), scale);
 }
 
 double smallest_side(const std::vector<Vec2>& outline) {
@@ -104,29 +118,40 @@ double smallest_side(const std::vector<Vec2>& outline) {
   return side;
 }
 
-std::vector<Vec2> in_pixels(const std::vector<Vec2>& world, const Camera& camera) {
-  std::vector<Vec2> out;
-  for (const Vec2 p : world) out.push_back(camera.to_pixels(p));
-  return out;
-}
-
 bool drawable(const std::vector<Vec2>& outline) {
   return outline.size() > 2 && std::all_of(outline.begin(), outline.end(), [](Vec2 p) {
            return std::abs(p.x) < 1e6 && std::abs(p.y) < 1e6;  // false for NaN too
          });
 }
 
-void draw_block(Drawing& drawing, const DrawnShape& block, const Pose& pose, const Camera& camera,
-                Colour fill, double scale) {
-  const std::vector<Vec2> outline = in_pixels(corners(block, pose), camera);
-  if (!drawable(outline)) return;
-  const double width = block.outline.empty()
-                           ? outline_width
-                           : std::clamp(0.1 * smallest_side(outline) / scale, 0.35, outline_width);
+void draw_piece(Drawing& drawing, const std::vector<Vec2>& outline, bool round, Colour fill, double scale) {
+  const double width =
+      round ? outline_width : std::clamp(0.1 * smallest_side(outline) / scale, 0.35, outline_width);
   drawing.polygon(outline, fill);
   drawing.outline(outline, width * scale, ink::outline);
-  if (block.outline.empty())
-    drawing.line(camera.to_pixels(pose.position), outline[0], width * scale, ink::outline);
+}
+
+/// A circle too small to be seen is drawn as a dot.
+DrawnShape seen(const DrawnShape& block, const Camera& camera, double scale) {
+  constexpr double dot = 3.0;  // px at 1x
+  DrawnShape larger = block;
+  if (block.radius > 0.0) larger.radius = std::max(block.radius, dot * scale / camera.pixels_per_metre);
+  return larger;
+}
+
+/// A line from the centre of a circle shows how far it has turned.
+void draw_block(Drawing& drawing, const DrawnShape& described, const Pose& pose, const Camera& camera,
+                Colour fill, double scale) {
+  const DrawnShape block = seen(described, camera, scale);
+  const bool round = block.outline.empty() && block.parts.empty();
+  std::vector<Vec2> last;
+  for (const auto& outline : outlines(block, pose)) {
+    last = in_pixels(outline, camera);
+    if (!drawable(last)) return;
+    draw_piece(drawing, last, round, fill, scale);
+  }
+  if (round && block.radius == described.radius)
+    drawing.line(camera.to_pixels(pose.position), last[0], outline_width * scale, ink::outline);
 }
 
 Colour displacement_colour(double distance, double largest) {
@@ -135,21 +160,73 @@ Colour displacement_colour(double distance, double largest) {
 
 void draw_undeformed(Drawing& drawing, const RunResult& run, const Camera& camera, double scale) {
   for (std::size_t i = 0; i < run.trajectory.blocks; ++i) {
-    const auto outline = in_pixels(corners(run.model.blocks[i], pose_at(run.trajectory, 0, i, 1.0)), camera);
-    if (drawable(outline)) drawing.outline(outline, 0.6 * scale, ink::pale);
+    for (const auto& world : outlines(run.model.blocks[i], pose_at(run.trajectory, 0, i, 1.0))) {
+      const auto outline = in_pixels(world, camera);
+      if (drawable(outline)) drawing.outline(outline, 0.6 * scale, ink::pale);
+    }
+  }
+}
+
+/// The way of every body so far, in a colour of its own.
+void draw_trails(Drawing& drawing, const RunResult& run, const Frame& frame, const Camera& camera,
+                 double scale) {
+  constexpr std::size_t segments = 240;
+  const std::size_t stride = frame.step / segments + 1;
+  for (std::size_t i = 0; i < run.trajectory.blocks; ++i) {
+    for (std::size_t from = 0; from < frame.step; from += stride) {
+      const std::size_t to = std::min(from + stride, frame.step);
+      const Vec2 a = camera.to_pixels(pose_at(run.trajectory, from, i, 1.0).position),
+                 b = camera.to_pixels(pose_at(run.trajectory, to, i, 1.0).position);
+      if (drawable({a, b, a})) drawing.line(a, b, 1.2 * scale, mixed(category(i), ink::white, 0.35));
+    }
+  }
+}
+
+Vec2 terrain_displacement(const RunResult& run, std::size_t step, std::size_t terrain) {
+  const std::size_t index = step * run.model.terrains.size() + terrain;
+  return index < run.terrain_displacement.size() ? run.terrain_displacement[index] : Vec2{};
+}
+
+/// Joints: a line between the anchors, a ring at each; of a pin, whose anchors coincide, one ring.
+template <class PoseOf>
+void draw_links(Drawing& drawing, const ModelSheet& model, const Camera& camera, double scale,
+                PoseOf pose_of) {
+  DrawnShape ring;
+  ring.radius = 2.6 * scale;
+  for (const DrawnLink& link : model.links) {
+    const auto end = [&](std::size_t owner, Vec2 anchor) {
+      const Pose pose = pose_of(owner);
+      return camera.to_pixels(pose.position + engine::rotated(anchor, pose.angle));
+    };
+    const Vec2 a = end(link.a, link.anchor_a), b = end(link.b, link.anchor_b);
+    if (!drawable({a, b, a})) continue;
+    if (engine::norm(b - a) > scale) drawing.line(a, b, 1.2 * scale, ink::outline);
+    for (const Vec2 p : {a, b}) {
+      drawing.polygon(corners(ring, {p, 0.0}), ink::white);
+      drawing.outline(corners(ring, {p, 0.0}), 1.0 * scale, ink::outline);
+    }
   }
 }
 
 Image world_image(const RunResult& run, const Frame& frame, const SceneView& view, int width, int height) {
   Camera camera{view.box, width / view.box.width()};
   Drawing drawing;
-  for (const DrawnShape& terrain : run.model.terrains) draw_terrain(drawing, terrain, camera, view.scale);
+  for (std::size_t i = 0; i < run.model.terrains.size(); ++i)
+    draw_terrain(drawing, run.model.terrains[i], camera, view.scale,
+                 terrain_displacement(run, frame.step, i));
+  if (run.model.trails) draw_trails(drawing, run, frame, camera, view.scale);
   if (view.magnification != 1.0) draw_undeformed(drawing, run, camera, view.scale);
   for (std::size_t i = 0; i < std::min(run.trajectory.blocks, run.model.blocks.size()); ++i) {
     const Colour fill = displacement_colour(moved(run.trajectory, frame.step, i), view.largest);
     draw_block(drawing, run.model.blocks[i], pose_at(run.trajectory, frame.step, i, view.magnification),
                camera, fill, view.scale);
   }
+  draw_links(drawing, run.model, camera, view.scale, [&](std::size_t owner) {
+    if (owner < run.trajectory.blocks) return pose_at(run.trajectory, frame.step, owner, view.magnification);
+    const std::size_t terrain = owner - run.trajectory.blocks;
+    const Pose pose = described_pose(run.model.terrains[terrain]);
+    return Pose{pose.position + terrain_displacement(run, frame.step, terrain), pose.angle};
+  });
   return drawing.render(width, height);
 }
 
@@ -196,7 +273,8 @@ bool stacked(const Image& image, double scale) {
 }
 
 /// "0 .. 250 mm" as a coloured bar with its meaning.
-void draw_legend(Image& image, const Fonts& fonts, double right, double y, double largest, double scale) {
+void draw_legend(Image& image, const Fonts& fonts, double right, double y, const std::string& meaning,
+                 double largest, double scale) {
   const int width = px(legend_width, scale), left = static_cast<int>(right) - width;
   for (int i = 0; i < width; ++i) {
     image.fill_rectangle(left + i, static_cast<int>(y), 1, px(8, scale), displacement_colour(i, width - 1));
@@ -207,15 +285,15 @@ void draw_legend(Image& image, const Fonts& fonts, double right, double y, doubl
   fonts.small.draw(image,
                    fmt::format("{:.4g} {}", in_metres ? largest : 1e3 * largest, in_metres ? "m" : "mm"),
                    right, below, ink::text, Align::right);
-  const std::string meaning = "displacement relative to the ground since the start";
   if (stacked(image, scale)) return fonts.small.draw(image, meaning, left, y - 6 * scale, ink::text);
   fonts.small.draw(image, meaning, left - 9 * scale, y + 8 * scale, ink::text, Align::right);
 }
 
 std::string camera_note(const SceneView& view) {
-  std::string note = "Camera fixed to the ground.";
+  std::string note = view.camera;
   if (view.magnification != 1.0) {
-    note += fmt::format(" Displacement × {:g}; pale outline: undeformed.", view.magnification);
+    note += fmt::format("{}Displacement × {:g}; pale outline: undeformed.", note.empty() ? "" : " ",
+                        view.magnification);
   }
   return note;
 }
@@ -231,10 +309,10 @@ void draw_footer(Image& image, const Fonts& fonts, const SceneView& view, double
   draw_scale_bar(image, fonts, left, y + 2 * s, pixels_per_metre, s);
   double note_line = y + 34 * s;
   if (stacked(image, s)) {
-    draw_legend(image, fonts, left + legend_width * s, y + 40 * s, view.largest, s);
+    draw_legend(image, fonts, left + legend_width * s, y + 40 * s, view.meaning, view.largest, s);
     note_line = y + 84 * s;
   } else {
-    draw_legend(image, fonts, image.width - left, y, view.largest, s);
+    draw_legend(image, fonts, image.width - left, y, view.meaning, view.largest, s);
   }
   for (const std::string& line : fonts.small.wrapped(camera_note(view), image.width - 2 * left)) {
     fonts.small.draw(image, line, left, note_line, ink::quiet);
@@ -247,6 +325,17 @@ void draw_header(Image& image, const Fonts& fonts, const std::string& title, con
   const double most = image.width - 2 * page_margin * s - right_room;
   fonts.title.draw(image, fonts.title.cut(title, most), page_margin * s, 24 * s, ink::text);
   fonts.text.draw(image, fonts.text.cut(line, most), page_margin * s, 42 * s, ink::quiet);
+}
+
+/// The fonts of pictures have no raised digits: stars are written plainly.
+std::string drawn_mass(double kilograms) {
+  return kilograms < 1e9 ? mass_text(kilograms) : fmt::format("{:.3g} kg", kilograms);
+}
+
+/// What shakes it; of a scene that stands still, what it is.
+std::string shaken_by(const RunResult& run) {
+  if (!run.motion.title.empty() || !run.model.free_scene) return "on " + run.motion.title;
+  return plural(run.model.blocks.size(), "body") + ", " + drawn_mass(run.model.mass);
 }
 
 constexpr double header_height = 54;  // px at 1x
@@ -265,8 +354,7 @@ void draw_single_header(Image& image, const RunResult& run, const Frame& frame, 
   const double title_room = image.width - 3 * page_margin * s - fonts.title.width(stamp);
   fonts.title.draw(image, fonts.title.cut(run.model.layout, title_room), page_margin * s, 24 * s, ink::text);
   const double line_room = image.width - 2 * page_margin * s - caption_room;
-  fonts.text.draw(image, fonts.text.cut("on " + run.motion.title, line_room), page_margin * s, 42 * s,
-                  ink::quiet);
+  fonts.text.draw(image, fonts.text.cut(shaken_by(run), line_room), page_margin * s, 42 * s, ink::quiet);
   if (caption_room > 0) {
     fonts.text.draw(image, fonts.text.cut(frame.caption, caption_room), right, 42 * s, ink::quiet,
                     Align::right);
@@ -394,6 +482,13 @@ SceneView view_of(const RunResult& run, const std::vector<Frame>& frames) {
   view.largest = movement > 0 ? round_up(movement) : 1e-3;
   std::vector<std::size_t> steps;
   for (const Frame& frame : frames) steps.push_back(frame.step);
+  if (run.model.free_scene) {
+    const bool rides =
+        std::ranges::any_of(run.trajectory.ground_displacement, [](Vec2 d) { return d != Vec2{}; });
+    view.camera = rides ? "Camera fixed to the ground." : "";
+    view.meaning =
+        rides ? "displacement relative to the ground since the start" : "displacement since the start";
+  }
   view.box = framed(run_bounds(run, steps, view.magnification));
   return view;
 }
@@ -423,7 +518,7 @@ Image draw_film_strip(const RunResult& run, const std::vector<Frame>& frames, co
   const Grid grid = grid_for(run, frames, view, fonts);
   const int row_height = grid.cell_height() + px(cell_gap, s);
   Image image(px(strip_width, s), px(header_height + footer_height(strip_width), s) + grid.rows * row_height);
-  draw_header(image, fonts, run.model.layout, "on " + run.motion.title, 0.0, s);
+  draw_header(image, fonts, run.model.layout, shaken_by(run), 0.0, s);
   for (std::size_t i = 0; i < frames.size(); ++i) {
     const int column = static_cast<int>(i) % grid.columns, row = static_cast<int>(i) / grid.columns;
     draw_cell(image, run, frames[i], view, fonts, grid,
@@ -444,7 +539,11 @@ Image draw_model(const ModelSheet& model) {
   for (const DrawnShape& terrain : model.terrains) draw_terrain(drawing, terrain, camera, s);
   for (const DrawnShape& block : model.blocks)
     draw_block(drawing, block, described_pose(block), camera, storey_colour(block.storey), s);
-  const double label_room = 120, least_width = 460, footer = 50;
+  draw_links(drawing, model, camera, s, [&](std::size_t owner) {
+    return described_pose(owner < model.blocks.size() ? model.blocks[owner]
+                                                      : model.terrains[owner - model.blocks.size()]);
+  });
+  const double label_room = model.storeys.empty() ? 14 : 120, least_width = 460, footer = 50;
   Image image(std::max(width + px(label_room + page_margin, s), px(least_width, s)),
               px(header_height + footer, s) + height);
   draw_header(image, fonts, model.layout, model.title, 0.0, s);
@@ -452,9 +551,10 @@ Image draw_model(const ModelSheet& model) {
   label_storeys(image, fonts, model, camera, header_height * s, width + 2 * page_margin * s, s);
   const double foot = image.height - (footer - 8) * s;
   draw_scale_bar(image, fonts, page_margin * s, foot, camera.pixels_per_metre, s);
-  fonts.small.draw(
-      image, "Colour: storey. " + plural(model.blocks.size(), "block") + ", " + mass_text(model.mass) + ".",
-      page_margin * s, foot + 32 * s, ink::quiet);
+  const std::string counts = model.free_scene ? plural(model.blocks.size(), "body")
+                                              : "Colour: storey. " + plural(model.blocks.size(), "block");
+  fonts.small.draw(image, counts + ", " + drawn_mass(model.mass) + ".", page_margin * s, foot + 32 * s,
+                   ink::quiet);
   return image;
 }
 

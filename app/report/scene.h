@@ -21,7 +21,9 @@ struct SceneView {
   double magnification = 1.0;  // of the displacement
   double largest = 1.0;        // m, displacement at the end of the colour scale
   double scale = 2.0;          // pixels of the picture per pixel at 1x
-  double width = 720.0;        // px at 1x, of a single picture; narrow ones stack their annotation
+  std::string camera = "Camera fixed to the ground.";
+  std::string meaning = "displacement relative to the ground since the start";  // of the colours
+  double width = 720.0;  // px at 1x, of a single picture; narrow ones stack their annotation
 };
 
 /// A moment of the run that is drawn.

@@ -1,76 +1,30 @@
 #include "app/study/execute.h"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <ctime>
 
 #include "app/study/moments.h"
 #include "app/study/recorder.h"
-#include "app/study/version.h"
-#include "seismic/formats/file_text.h"
+#include "app/study/run_sheets.h"
+#include "app/study/stopwatch.h"
 
 namespace dougong::app {
 namespace {
-
-// Wall and processor time of the run.
-class Stopwatch {
- public:
-  double wall() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_).count();
-  }
-  double cpu() const { return static_cast<double>(std::clock() - cpu_) / CLOCKS_PER_SEC; }
-
- private:
-  std::chrono::steady_clock::time_point wall_ = std::chrono::steady_clock::now();
-  std::clock_t cpu_ = std::clock();
-};
 
 bool stands(const Preparation& p) {
   return !p.scenario.solve.settle || p.settle.settled;
 }
 
-std::string pair_name(const engine::Model& model, engine::BodyPair pair) {
-  return model.names[pair.a] + " / " + model.names[pair.b];
-}
-
-void describe_deepest(const Preparation& p, Numerics& n) {
-  n.deepest_overlap_ratio = p.state.deepest_ratio;
-  if (p.state.deepest_ratio == 0.0) return;
-  const auto [a, b] = p.state.deepest_pair;
-  n.deepest_overlap = p.state.deepest_ratio * std::min(p.model.minimum_width[a], p.model.minimum_width[b]);
-  n.deepest_overlap_where =
-      fmt::format("{} at {:.2f} s", pair_name(p.model, p.state.deepest_pair), p.state.deepest_time);
-}
-
 Numerics numerics_of(const Preparation& p, const engine::RunOutcome& run, const Recorder& recorder) {
-  Numerics n;
-  n.integrator = p.drive.integrator;
-  n.step = run.smallest_step;
-  n.bound = run.bound;
-  n.steps = run.steps;
-  n.step_reductions = run.step_reductions;
-  n.outcome = to_string(run.outcome);
-  n.outcome_detail = run.detail;
-  n.end_time = run.end_time;
+  Numerics n = app::numerics_of(p.model, p.state, p.drive, run);
   n.asked_time = p.duration;
   n.overlap_ratio = recorder.overlap_ratio;
-  describe_deepest(p, n);
-  if (run.step_reductions > 0)
-    n.warnings.push_back(
-        fmt::format("the step was reduced {} times, to {:.3g} s, when stiffer contacts appeared",
-                    run.step_reductions, run.smallest_step));
   if (!stands(p) && p.settle.outcome == engine::Outcome::completed)
     n.warnings.push_back(fmt::format("the building did not come to rest under its own weight within {:.1f} s",
                                      p.settle.duration));
   return n;
-}
-
-SettleSheet settle_sheet(const engine::SettleReport& report) {
-  return {report.settled, report.duration, report.greatest_movement, report.unbalanced_ratio};
 }
 
 structures::NumericalEvidence evidence_of(const Numerics& n, const engine::RunOutcome& run,
@@ -82,8 +36,8 @@ structures::NumericalEvidence evidence_of(const Numerics& n, const engine::RunOu
               : run.outcome == engine::Outcome::stopped_by_criterion ? Outcome::stopped
                                                                      : Outcome::diverged;
   e.outcome_detail = run.detail;
-  e.finite = std::isfinite(recorder.energy.relative_error);
-  e.energy_error_ratio = recorder.energy.relative_error;
+  e.finite = std::isfinite(recorder.energies.energy.relative_error);
+  e.energy_error_ratio = recorder.energies.energy.relative_error;
   e.deepest_overlap_ratio = n.deepest_overlap_ratio;
   e.deepest_overlap_where = n.deepest_overlap_where;
   e.end_time = n.end_time;
@@ -159,19 +113,6 @@ double standing_error(const EnergyHistory& energy, const structures::Response& r
   return input > 0.0 ? error / input : 0.0;
 }
 
-Reproducibility reproducibility_of(const Preparation& p, const std::string& command) {
-  Reproducibility r;
-  r.version = program_version();
-  r.git_hash = program_git_hash();
-  r.compiler = program_compiler();
-  r.command = command;
-  r.scenario = to_toml(p.scenario);
-  r.scenario_sha256 = seismic::sha256_hex(r.scenario);
-  r.record_sha256 = p.motion.records.horizontal().provenance.sha256;
-  r.started = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
-  return r;
-}
-
 engine::RunOutcome shake(Preparation& p, Recorder& recorder, const ProgressObserver& progress) {
   engine::DriveOptions options = p.drive;
   if (!stands(p)) options.end_time = 0.0;
@@ -188,7 +129,8 @@ engine::RunOutcome shake(Preparation& p, Recorder& recorder, const ProgressObser
 
 RunResult execute(Preparation& p, const std::string& command, const ProgressObserver& progress) {
   RunResult result;
-  result.reproducibility = reproducibility_of(p, command);
+  result.reproducibility =
+      reproducibility_of(to_toml(p.scenario), p.motion.records.horizontal().provenance.sha256, command);
   result.model = model_sheet(p);
   result.motion = motion_sheet(p.motion, p.period);
   result.settle = settle_sheet(p.settle);
@@ -208,7 +150,7 @@ RunResult execute(Preparation& p, const std::string& command, const ProgressObse
                                                  p.scenario.verdict)
                              : early_verdict;
   result.trajectory = std::move(recorder.trajectory);
-  result.energy = std::move(recorder.energy);
+  result.energy = std::move(recorder.energies.energy);
   result.energy.standing_error = standing_error(result.energy, result.response);
   result.moments = moments_of(result);
   return result;

@@ -4,47 +4,10 @@
 #include <map>
 
 #include "app/study/prepare.h"
-#include "app/study/quantity.h"
+#include "app/study/run_sheets.h"
 
 namespace dougong::app {
 namespace {
-
-std::vector<engine::Vec2> outline_of(const engine::Shape& shape) {
-  if (const auto* polygon = std::get_if<engine::ConvexPolygon>(&shape)) return polygon->vertices();
-  return {};
-}
-
-double radius_of(const engine::Shape& shape) {
-  if (const auto* circle = std::get_if<engine::Circle>(&shape)) return circle->radius;
-  return 0.0;
-}
-
-template <class Thing>
-DrawnShape drawn(const Thing& thing, const engine::Scene& scene) {
-  DrawnShape d;
-  d.name = thing.name;
-  d.outline = outline_of(thing.shape);
-  d.radius = radius_of(thing.shape);
-  d.position = thing.position;
-  d.angle = thing.angle;
-  d.material = scene.materials[thing.material].name;
-  return d;
-}
-
-double mass_of(const engine::Body& body, const engine::Scene& scene) {
-  return body.mass
-             ? *body.mass
-             : engine::mass_properties(body.shape, scene.materials[body.material].density, body.thickness)
-                   .mass;
-}
-
-NamedValue describe_material(const engine::Material& m) {
-  return {m.name,
-          fmt::format("E {}, {}, friction {}, damping ratio {}",
-                      print_quantity(m.young_modulus, Dimension::pressure),
-                      print_quantity(m.density, Dimension::density), m.friction_coefficient, m.damping_ratio),
-          "damping ratio of a contact point; friction of two materials is the smaller one"};
-}
 
 void add_storeys(const structures::Building& building, ModelSheet& sheet) {
   for (std::size_t s = 0; s < building.storeys.size(); ++s) {
@@ -97,14 +60,13 @@ ModelSheet model_sheet(const structures::Building& building) {
   sheet.title = structures::find_layout(building.layout).summary;
   for (const auto& [name, value] : building.parameters)
     sheet.parameters.push_back({name, value, meaning_of(building.layout, name)});
-  for (const engine::Material& m : building.scene.materials) sheet.materials.push_back(describe_material(m));
+  for (const engine::Material& m : building.scene.materials) sheet.materials.push_back(material_sheet(m));
   for (const engine::Body& body : building.scene.bodies) {
-    sheet.blocks.push_back(drawn(body, building.scene));
-    sheet.blocks.back().mass = mass_of(body, building.scene);
+    sheet.blocks.push_back(drawn_shape(body, building.scene));
     sheet.mass += sheet.blocks.back().mass;
   }
   for (const engine::Terrain& terrain : building.scene.terrains)
-    sheet.terrains.push_back(drawn(terrain, building.scene));
+    sheet.terrains.push_back(drawn_shape(terrain, building.scene));
   add_storeys(building, sheet);
   return sheet;
 }

@@ -1,17 +1,9 @@
 #include "app/study/prepare.h"
 
-#include <fmt/format.h>
-#include <unistd.h>
-
-#include <algorithm>
-#include <chrono>
-
-#include "engine/integrators/table.h"
+#include "app/study/run_cost.h"
 
 namespace dougong::app {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 void refuse_errors(const std::vector<structures::Finding>& findings) {
   std::string errors;
@@ -51,45 +43,10 @@ void find_period(Preparation& p) {
       p.period = mode.period(), p.participation = mode.participation;
 }
 
-void refuse_unstable_step(const Preparation& p) {
-  if (p.plan.bound == 0.0)
-    throw std::invalid_argument(
-        "solve.integrator: expected one with a stable step for this building, found " + p.drive.integrator +
-        ", under which any undamped vibration grows");
-  if (!p.drive.step || *p.drive.step <= p.plan.bound) return;
-  throw std::invalid_argument(
-      fmt::format("solve.step: expected at most the stability bound of {:.3g} s, found {:.6g} s",
-                  p.plan.bound, *p.drive.step));
-}
-
-double machine_memory() {
-  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
-}
-
-// A run that cannot keep its output is found out before it starts. Pose and acceleration of every block
-// and a dozen histories, held twice: as computed and as read back for the report.
+// Pose and acceleration of every block and a dozen histories.
 void refuse_too_much_output(const Preparation& p) {
-  const double samples = p.duration / p.plan.output_interval;
-  const double values = samples * (4.0 * static_cast<double>(p.model.body_count) + 12.0);
-  const double needed = 2.0 * sizeof(double) * values, available = machine_memory();
-  if (needed <= available) return;
-  throw std::invalid_argument(fmt::format(
-      "output.rate: expected results that fit into the memory of {:.3g} GB, found {:.3g} GB: {:.3g} output "
-      "times of {} blocks",
-      available / 1e9, needed / 1e9, samples, p.model.body_count));
-}
-
-// A trial of a few hundred steps on a copy: what the machine at hand really needs.
-double estimate_cost(const Preparation& p) {
-  engine::State trial = p.state;
-  engine::DriveOptions options = p.drive;
-  // A step of an adaptive integrator holds many of its own.
-  const double steps = engine::traits_of(p.drive.integrator).adaptive ? 3.0 : 300.0;
-  options.end_time = options.output_interval = std::min(p.duration, steps * p.plan.step);
-  const auto start = Clock::now();
-  const engine::RunOutcome run = engine::drive(p.model, trial, options, {});
-  const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  return run.end_time > 0.0 ? seconds / run.end_time * p.duration : 0.0;
+  const double values = 4.0 * static_cast<double>(p.model.body_count) + 12.0;
+  app::refuse_too_much_output(p.duration / p.plan.output_interval, values, p.model.body_count);
 }
 
 }  // namespace
@@ -109,9 +66,9 @@ Preparation prepare(const Scenario& scenario, const std::filesystem::path& recor
   p.duration = duration_of(scenario, p.motion);
   p.drive = drive_options(scenario, p.duration);
   p.plan = engine::plan_steps(p.model, p.state, p.drive);
-  refuse_unstable_step(p);
+  refuse_unstable_step(p.drive, p.plan);
   refuse_too_much_output(p);
-  p.estimated_seconds = estimate_cost(p);
+  p.estimated_seconds = estimated_cost(p.model, p.state, p.drive, p.plan, p.duration);
   return p;
 }
 

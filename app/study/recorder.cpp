@@ -4,24 +4,13 @@
 #include <cmath>
 
 namespace dougong::app {
-namespace {
-
-double deepest_now(const engine::ContactPoints& points, std::span<const engine::Frame> frames) {
-  double deepest = 0.0;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    deepest = std::max(deepest, engine::geometry_of(points, i, frames).overlap * points.inverse_width[i]);
-  return deepest;
-}
-
-}  // namespace
-
 Recorder::Recorder(const Preparation& preparation) : preparation_(preparation) {
   trajectory.blocks = preparation.model.body_count;
 }
 
 void Recorder::note(const engine::Sample& sample) {
   note_motion(sample);
-  note_energy(sample.state);
+  energies.note(preparation_.model, sample.state);
   note_drift();
 }
 
@@ -40,19 +29,7 @@ void Recorder::note_motion(const engine::Sample& sample) {
     trajectory.accelerations.push_back(sample.accelerations[i]);
     greatest_speed_ = std::max(greatest_speed_, engine::norm(frames[i].velocity() - ground.velocity));
   }
-  overlap_ratio.push_back(deepest_now(sample.state.contacts.points, frames));
-}
-
-void Recorder::note_energy(const engine::State& state) {
-  const engine::Energies e = engine::energies_of(preparation_.model, state);
-  turnover_.note(e);
-  const std::pair<std::vector<double>*, double> columns[] = {
-      {&energy.input, e.input},          {&energy.kinetic, e.kinetic},   {&energy.gravity, e.gravity},
-      {&energy.elastic, e.elastic},      {&energy.friction, e.friction}, {&energy.damping, e.damping},
-      {&energy.error, turnover_.error()}};
-  for (const auto& [column, value] : columns) column->push_back(value);
-  energy.largest_input = std::max(energy.largest_input, std::abs(e.input));
-  energy.relative_error = turnover_.relative_error();
+  overlap_ratio.push_back(deepest_overlap_ratio(sample.state.contacts.points, frames));
 }
 
 double Recorder::level_displacement(const std::vector<std::size_t>& blocks) const {
@@ -81,7 +58,7 @@ Progress Recorder::progress() const {
   p.time = trajectory.times.back();
   p.end_time = preparation_.duration;
   p.peak_drift = peak_drift_;
-  p.energy_error = energy.relative_error;
+  p.energy_error = energies.energy.relative_error;
   return p;
 }
 

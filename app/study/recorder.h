@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/study/execute.h"
+#include "app/study/run_sheets.h"
 
 namespace dougong::app {
 
@@ -15,17 +16,15 @@ class Recorder {
   double greatest_speed() const { return greatest_speed_; }
 
   structures::Trajectory trajectory;
-  EnergyHistory energy;
+  EnergyRecorder energies;
   std::vector<double> overlap_ratio;
 
  private:
   void note_motion(const engine::Sample& sample);
-  void note_energy(const engine::State& state);
   void note_drift();
   double level_displacement(const std::vector<std::size_t>& blocks) const;
 
   const Preparation& preparation_;
-  engine::EnergyTurnover turnover_;
   double peak_drift_ = 0.0;
   double greatest_speed_ = 0.0;
 };

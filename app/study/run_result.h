@@ -22,6 +22,14 @@ struct DrawnShape {
   double mass = 0.0;                  // kg; 0 for terrain
   int storey = -1;                    // index into the storeys; -1 for none
   std::string material;
+  std::vector<DrawnShape> parts;  // of a compound, in its frame; only in memory
+};
+
+/// A joint as it is drawn: its anchors in the frames of what it connects. Terrains are numbered behind the
+/// blocks.
+struct DrawnLink {
+  std::size_t a = 0, b = 0;
+  engine::Vec2 anchor_a, anchor_b;  // m
 };
 
 struct NamedValue {
@@ -54,6 +62,9 @@ struct ModelSheet {
   std::vector<std::string> modelled;
   std::vector<std::string> not_modelled;
   std::vector<std::string> findings;  // of the model check
+  std::vector<DrawnLink> links;       // joints; only in memory
+  bool free_scene = false;            // pictures frame the terrain too and know no storeys; only in memory
+  bool trails = false;                // pictures draw the paths of the bodies; only in memory
 };
 
 struct MotionSheet {
@@ -74,7 +85,8 @@ struct MotionSheet {
 /// + damping - input - (their sum at the start).
 struct EnergyHistory {
   std::vector<double> input, kinetic, gravity, elastic, friction, damping, error;
-  double largest_input = 0.0;  // J, greatest |input|
+  std::vector<double> fracture;  // lost in bonds; empty in a results file that knows no bonds
+  double largest_input = 0.0;    // J, greatest |input|
   /// Greatest |error| over the energy turned over: the greatest sum of |input| and of what gravity gave. A
   /// collapse is driven by gravity, whose energy is a hundred times that of the shaking.
   double relative_error = 0.0;
@@ -131,6 +143,9 @@ struct RunResult {
   Numerics numerics;
   Reproducibility reproducibility;
   std::vector<Moment> moments;
+  /// Where the terrains of a free scene are in the pictures (m), [time][terrain]; empty where they stand
+  /// still in them. Only in memory.
+  std::vector<engine::Vec2> terrain_displacement;
 };
 
 }  // namespace dougong::app

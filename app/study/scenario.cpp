@@ -3,12 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 
-#include "app/study/scenario_entries.h"
+#include "app/study/entries.h"
+#include "app/study/key_values.h"
 #include "app/study/scenario_keys.h"
-#include "app/study/scenario_values.h"
 #include "structures/nearest_name.h"
 
 namespace dougong::app {
@@ -224,25 +222,6 @@ Scenario read_entries(std::vector<Entry> entries, const std::string& source,
 
 }  // namespace
 
-ScenarioError::ScenarioError(std::vector<LocatedMessage> messages) : messages_(std::move(messages)) {
-  for (const LocatedMessage& message : messages_) {
-    if (!text_.empty()) text_ += '\n';
-    text_ += message.text();
-  }
-}
-
-Override parse_override(const std::string& text, const std::string& origin) {
-  const auto equals = text.find('=');
-  if (equals == std::string::npos || equals == 0)
-    throw ScenarioError({{fmt::format("{} {}", origin, text), "expected key=value"}});
-  const auto trim = [](std::string part) {
-    part.erase(0, part.find_first_not_of(' '));
-    part.erase(part.find_last_not_of(' ') + 1);
-    return part;
-  };
-  return {trim(text.substr(0, equals)), trim(text.substr(equals + 1)), origin};
-}
-
 Scenario read_scenario(const std::string& text, const std::string& source,
                        const std::vector<Override>& overrides, RecordRule rule) {
   return read_entries(entries_of_toml(text, source), source, overrides, rule);
@@ -250,13 +229,7 @@ Scenario read_scenario(const std::string& text, const std::string& source,
 
 Scenario load_scenario(const std::filesystem::path& path, const std::vector<Override>& overrides,
                        RecordRule rule) {
-  std::error_code error;
-  if (std::filesystem::is_directory(path, error))
-    throw ScenarioError({{path.string(), "expected a scenario file, found a folder"}});
-  std::ifstream file(path, std::ios::binary);
-  if (!file)
-    throw ScenarioError({{path.string(), "expected a scenario file, found nothing that can be read"}});
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  const std::string text = load_text(path, "a scenario file");
   std::vector<Entry> entries = entries_of_toml(text, path.string());
   find_record_beside(path, entries);
   return read_entries(std::move(entries), path.string(), overrides, rule);

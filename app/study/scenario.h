@@ -5,12 +5,12 @@
 // which keys there are; docs/scenario.md lists them. All errors are collected and thrown together.
 #pragma once
 
-#include <exception>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "app/study/override.h"
 #include "structures/layouts/layout.h"
 #include "structures/response.h"
 #include "structures/verdict.h"
@@ -72,35 +72,6 @@ struct Scenario {
   structures::LossCriteria loss;
   structures::VerdictCriteria verdict;
   OutputChoice output;
-};
-
-/// One key=value of the command line. The key may be dotted ("record.pga"), or its last word alone where
-/// that is unambiguous ("pga", "storeys"), with - for _; the value is text as typed.
-struct Override {
-  std::string key;
-  std::string value;
-  std::string origin = "--set";  // how messages call it
-};
-
-/// Splits "key=value". Throws ScenarioError without an equals sign.
-Override parse_override(const std::string& text, const std::string& origin = "--set");
-
-struct LocatedMessage {
-  std::string where;  // "study.toml:12:7", "--set storeys=six"
-  std::string message;
-  std::string text() const { return where + ": " + message; }
-};
-
-class ScenarioError : public std::exception {
- public:
-  explicit ScenarioError(std::vector<LocatedMessage> messages);
-  const std::vector<LocatedMessage>& messages() const { return messages_; }
-  /// All messages, one a line.
-  const char* what() const noexcept override { return text_.c_str(); }
-
- private:
-  std::vector<LocatedMessage> messages_;
-  std::string text_;
 };
 
 enum class RecordRule { required, optional };

@@ -1,7 +1,5 @@
 #include "app/study/scenario_keys.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <numbers>
 
@@ -17,12 +15,8 @@ constexpr double tiny = 1e-9;  // least of what must be above zero
 constexpr double half_turn = std::numbers::pi;
 
 template <std::size_t... I>
-std::vector<std::string> integrator_names(std::index_sequence<I...>) {
+std::vector<std::string> names_at(std::index_sequence<I...>) {
   return {std::string(std::variant_alternative_t<I, engine::AnyIntegrator>::traits.name)...};
-}
-
-std::vector<std::string> integrator_names() {
-  return integrator_names(std::make_index_sequence<std::variant_size_v<engine::AnyIntegrator>>{});
 }
 
 template <auto Section, auto Member>
@@ -40,18 +34,16 @@ using J = structures::VerdictCriteria;
 
 ScenarioKey text(const char* name, Slot (*slot)(S&), const char* meaning,
                  std::vector<std::string> choices = {}) {
-  ScenarioKey key{.name = name, .slot = slot, .meaning = meaning, .choices = {}};
-  key.choices = std::move(choices);
-  return key;
+  return {{.name = name, .meaning = meaning, .choices = std::move(choices)}, slot};
 }
 
 ScenarioKey flag(const char* name, Slot (*slot)(S&), const char* meaning) {
-  return {.name = name, .slot = slot, .meaning = meaning, .choices = {}};
+  return {{.name = name, .meaning = meaning, .choices = {}}, slot};
 }
 
 ScenarioKey number(const char* name, Slot (*slot)(S&), Dimension dimension, double least, double most,
                    const char* meaning) {
-  return {name, slot, meaning, dimension, least, most, {}};
+  return {{name, meaning, dimension, least, most, {}}, slot};
 }
 
 std::vector<ScenarioKey> make_table() {
@@ -145,6 +137,10 @@ std::vector<ScenarioKey> make_table() {
 
 }  // namespace
 
+std::vector<std::string> integrator_names() {
+  return names_at(std::make_index_sequence<std::variant_size_v<engine::AnyIntegrator>>{});
+}
+
 std::span<const ScenarioKey> scenario_keys() {
   static const std::vector<ScenarioKey> table = make_table();
   return table;
@@ -153,47 +149,6 @@ std::span<const ScenarioKey> scenario_keys() {
 const ScenarioKey* find_key(const std::string& name) {
   const auto it = std::ranges::find(scenario_keys(), name, &ScenarioKey::name);
   return it == scenario_keys().end() ? nullptr : &*it;
-}
-
-std::string kind_of(const ScenarioKey& key) {
-  Scenario scenario;
-  const Slot slot = key.slot(scenario);
-  if (std::holds_alternative<bool*>(slot)) return "true or false";
-  if (std::holds_alternative<std::string*>(slot))
-    return key.choices.empty() ? "text" : fmt::format("one of {}", fmt::join(key.choices, ", "));
-  const std::string kind = key.dimension == count ? "whole number" : std::string(name_of(key.dimension));
-  return std::holds_alternative<double*>(slot) ? kind : kind + " or none";
-}
-
-std::string toml_number(double value, Dimension dimension) {
-  const std::string text = print_quantity(value, dimension);
-  return has_unit(dimension) ? toml_text(text) : text;
-}
-
-std::string toml_text(const std::string& text) {
-  std::string quoted = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') quoted += '\\';
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
-      quoted += fmt::format("\\u{:04X}", static_cast<unsigned>(c));
-    else
-      quoted += c;
-  }
-  return quoted + "\"";
-}
-
-std::string toml_value(const ScenarioKey& key, const Scenario& scenario) {
-  Scenario copy = scenario;  // slots are for writing too
-  const Slot slot = key.slot(copy);
-  if (const auto* text = std::get_if<std::string*>(&slot)) return toml_text(**text);
-  if (const auto* flag = std::get_if<bool*>(&slot)) return **flag ? "true" : "false";
-  if (const auto* number = std::get_if<double*>(&slot)) return toml_number(**number, key.dimension);
-  const std::optional<double>& maybe = *std::get<std::optional<double>*>(slot);
-  return maybe ? toml_number(*maybe, key.dimension) : toml_text("none");
-}
-
-std::string default_of(const ScenarioKey& key) {
-  return toml_value(key, Scenario{});
 }
 
 }  // namespace dougong::app

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "app/study/key.h"
 #include "app/study/scenario.h"
 #include "app/study/scenario_keys.h"
 

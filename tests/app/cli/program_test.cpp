@@ -67,10 +67,12 @@ Ran ProgramTest::run(const std::vector<std::string>& arguments, const Surroundin
   const fs::path out = outputs_.path() / "out", err = outputs_.path() / "err";
   const int fresh = O_WRONLY | O_CREAT | O_TRUNC;
   write_file(out, "");
+  const fs::path in = around.input.empty() ? "/dev/null" : outputs_.path() / "in";
+  if (!around.input.empty()) write_file(in, around.input);
   const pid_t child = ::fork();
   if (child == 0) {
     if (::chdir(folder().c_str()) != 0) ::_exit(could_not_start);
-    redirect(STDIN_FILENO, "/dev/null", O_RDONLY);
+    redirect(STDIN_FILENO, in, O_RDONLY);
     redirect(STDOUT_FILENO, out, fresh);
     redirect(STDERR_FILENO, err, fresh);
     settle_into(around);
@@ -89,13 +91,23 @@ fs::path ProgramTest::write(const std::string& name, const std::string& text) co
   return folder() / name;
 }
 
-Surroundings ProgramTest::with_gnuplot(const std::string& script) const {
-  const fs::path program = tools_.path() / "gnuplot";
+Surroundings ProgramTest::with_tool(const std::string& name, const std::string& script) const {
+  const fs::path program = tools_.path() / name;
   write_file(program, "#!/bin/sh\n" + script);
   fs::permissions(program, fs::perms::owner_all);
   Surroundings around;
   around.environment["PATH"] = tools_.path().string() + ":/usr/bin:/bin";
   return around;
+}
+
+Surroundings ProgramTest::with_gnuplot(const std::string& script) const {
+  return with_tool("gnuplot", script);
+}
+
+Surroundings ProgramTest::with_ffmpeg(const std::string& script) const {
+  Surroundings around;
+  around.environment["PATH"] = tools_.path().string();
+  return script.empty() ? around : with_tool("ffmpeg", script);
 }
 
 Surroundings ProgramTest::with_quick_plots() const {

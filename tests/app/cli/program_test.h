@@ -26,6 +26,7 @@ struct Surroundings {
   bool as_nobody = false;                          // gives up the rights of root
   int signal = 0;                                  // sent ...
   std::string when_it_says;                        // ... as soon as standard output holds this
+  std::string input;                               // on standard input, through a file
 };
 
 class ProgramTest : public testing::Test {
@@ -39,6 +40,8 @@ class ProgramTest : public testing::Test {
   bool exists(const std::string& name) const { return std::filesystem::exists(folder() / name); }
   /// Surroundings in which gnuplot is a shell script of this body.
   Surroundings with_gnuplot(const std::string& script) const;
+  /// Surroundings in which ffmpeg is a shell script of this body, or missing when it is empty.
+  Surroundings with_ffmpeg(const std::string& script) const;
   /// A gnuplot that draws nothing, for tests of everything but the figures.
   Surroundings with_quick_plots() const;
   /// Every file and folder below folder(), sorted.
@@ -49,6 +52,8 @@ class ProgramTest : public testing::Test {
                       const Surroundings& around = {}) const;
 
  private:
+  Surroundings with_tool(const std::string& name, const std::string& script) const;
+
   TemporaryDirectory folder_, outputs_, tools_;
 };
 

@@ -1,0 +1,153 @@
+#include "app/study/run_sheets.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+
+#include "app/study/quantity.h"
+#include "app/study/version.h"
+#include "seismic/formats/file_text.h"
+
+namespace dougong::app {
+namespace {
+
+using engine::Vec2;
+
+std::string pair_name(const engine::Model& model, engine::BodyPair pair) {
+  return model.names[pair.a] + " / " + model.names[pair.b];
+}
+
+void describe_deepest(const engine::Model& model, const engine::State& state, Numerics& n) {
+  n.deepest_overlap_ratio = state.deepest_ratio;
+  if (state.deepest_ratio == 0.0) return;
+  const auto [a, b] = state.deepest_pair;
+  n.deepest_overlap = state.deepest_ratio * std::min(model.minimum_width[a], model.minimum_width[b]);
+  n.deepest_overlap_where =
+      fmt::format("{} at {:.2f} s", pair_name(model, state.deepest_pair), state.deepest_time);
+}
+
+// --- shapes ------------------------------------------------------------------------------------------
+
+// All that lies below y = 0, as far as any picture may look.
+constexpr double far_away = 1e7;  // m
+const std::vector<Vec2> lower_half{
+    {-far_away, -far_away}, {far_away, -far_away}, {far_away, 0.0}, {-far_away, 0.0}};
+
+void give_outline(DrawnShape& drawn, const engine::Circle& circle) {
+  drawn.radius = circle.radius;
+}
+void give_outline(DrawnShape& drawn, const engine::ConvexPolygon& polygon) {
+  drawn.outline = polygon.vertices();
+}
+void give_outline(DrawnShape& drawn, const engine::HalfPlane&) {
+  drawn.outline = lower_half;
+}
+void give_outline(DrawnShape& drawn, const engine::Compound& compound) {
+  for (const engine::Part& part : compound.parts) {
+    DrawnShape piece;
+    std::visit([&](const auto& shape) { give_outline(piece, shape); }, part.shape);
+    piece.position = part.position;
+    piece.angle = part.angle;
+    drawn.parts.push_back(std::move(piece));
+  }
+}
+
+template <class Thing>
+DrawnShape drawn(const Thing& thing, const engine::Scene& scene) {
+  DrawnShape d;
+  d.name = thing.name;
+  std::visit([&](const auto& shape) { give_outline(d, shape); }, thing.shape);
+  d.position = thing.position;
+  d.angle = thing.angle;
+  d.material = scene.materials[thing.material].name;
+  return d;
+}
+
+double mass_of(const engine::Body& body, const engine::Scene& scene) {
+  return body.mass
+             ? *body.mass
+             : engine::mass_properties(body.shape, scene.materials[body.material].density, body.thickness)
+                   .mass;
+}
+
+}  // namespace
+
+Numerics numerics_of(const engine::Model& model, const engine::State& state,
+                     const engine::DriveOptions& drive, const engine::RunOutcome& run) {
+  Numerics n;
+  n.integrator = drive.integrator;
+  n.step = run.smallest_step;
+  n.bound = run.bound;
+  n.steps = run.steps;
+  n.step_reductions = run.step_reductions;
+  n.outcome = to_string(run.outcome);
+  n.outcome_detail = run.detail;
+  n.end_time = run.end_time;
+  n.asked_time = drive.end_time;
+  describe_deepest(model, state, n);
+  if (run.step_reductions > 0)
+    n.warnings.push_back(
+        fmt::format("the step was reduced {} times, to {:.3g} s, when stiffer contacts appeared",
+                    run.step_reductions, run.smallest_step));
+  return n;
+}
+
+SettleSheet settle_sheet(const engine::SettleReport& report) {
+  return {report.settled, report.duration, report.greatest_movement, report.unbalanced_ratio};
+}
+
+Reproducibility reproducibility_of(const std::string& text, const std::string& record_sha256,
+                                   const std::string& command) {
+  Reproducibility r;
+  r.version = program_version();
+  r.git_hash = program_git_hash();
+  r.compiler = program_compiler();
+  r.command = command;
+  r.scenario = text;
+  r.scenario_sha256 = seismic::sha256_hex(r.scenario);
+  r.record_sha256 = record_sha256;
+  r.started = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+  return r;
+}
+
+void EnergyRecorder::note(const engine::Model& model, const engine::State& state) {
+  const engine::Energies e = engine::energies_of(model, state);
+  turnover_.note(e);
+  const std::pair<std::vector<double>*, double> columns[] = {
+      {&energy.input, e.input},           {&energy.kinetic, e.kinetic},   {&energy.gravity, e.gravity},
+      {&energy.elastic, e.elastic},       {&energy.friction, e.friction}, {&energy.damping, e.damping},
+      {&energy.error, turnover_.error()}, {&energy.fracture, e.fracture}};
+  for (const auto& [column, value] : columns) column->push_back(value);
+  energy.largest_input = std::max(energy.largest_input, std::abs(e.input));
+  energy.relative_error = turnover_.relative_error();
+}
+
+double deepest_overlap_ratio(const engine::ContactPoints& points, std::span<const engine::Frame> frames) {
+  double deepest = 0.0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    deepest = std::max(deepest, engine::geometry_of(points, i, frames).overlap * points.inverse_width[i]);
+  return deepest;
+}
+
+DrawnShape drawn_shape(const engine::Body& body, const engine::Scene& scene) {
+  DrawnShape d = drawn(body, scene);
+  d.mass = mass_of(body, scene);
+  return d;
+}
+
+DrawnShape drawn_shape(const engine::Terrain& terrain, const engine::Scene& scene) {
+  return drawn(terrain, scene);
+}
+
+NamedValue material_sheet(const engine::Material& m) {
+  return {m.name,
+          fmt::format("E {}, {}, friction {}, damping ratio {}",
+                      print_quantity(m.young_modulus, Dimension::pressure),
+                      print_quantity(m.density, Dimension::density), m.friction_coefficient, m.damping_ratio),
+          "damping ratio of a contact point; friction of two materials is the smaller one"};
+}
+
+}  // namespace dougong::app

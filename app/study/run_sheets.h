@@ -1,0 +1,35 @@
+// What runs of buildings and of free scenes say alike: their numerics, their settle, where they come from.
+#pragma once
+
+#include "app/study/run_result.h"
+#include "engine/drive.h"
+#include "engine/settle.h"
+
+namespace dougong::app {
+
+Numerics numerics_of(const engine::Model& model, const engine::State& state,
+                     const engine::DriveOptions& drive, const engine::RunOutcome& run);
+SettleSheet settle_sheet(const engine::SettleReport& report);
+/// `text`: the complete scenario or scene; the record's checksum may be empty.
+Reproducibility reproducibility_of(const std::string& text, const std::string& record_sha256,
+                                   const std::string& command);
+
+/// Energies of the output times as they come.
+class EnergyRecorder {
+ public:
+  void note(const engine::Model& model, const engine::State& state);
+  EnergyHistory energy;
+
+ private:
+  engine::EnergyTurnover turnover_;
+};
+
+/// Deepest overlap of now over the smaller body's least width.
+double deepest_overlap_ratio(const engine::ContactPoints& points, std::span<const engine::Frame> frames);
+
+/// A body or terrain as it is drawn, where the scene describes it.
+DrawnShape drawn_shape(const engine::Body& body, const engine::Scene& scene);
+DrawnShape drawn_shape(const engine::Terrain& terrain, const engine::Scene& scene);
+NamedValue material_sheet(const engine::Material& material);
+
+}  // namespace dougong::app

@@ -1,0 +1,228 @@
+#include "app/study/scene_run.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <sstream>
+
+#include "app/study/scene_file.h"
+#include "app/study/space_input.h"
+#include "seismic/input_error.h"
+
+namespace dougong::app {
+namespace {
+
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+const std::filesystem::path records = DOUGONG_RECORDS_DIRECTORY;
+
+SceneDescription scene(const std::string& text) {
+  return read_scene(text, "s.toml");
+}
+PreparedScene prepared(const std::string& text) {
+  return prepare_scene(scene(text), records);
+}
+SceneResult ran(const std::string& text) {
+  PreparedScene p = prepared(text);
+  return run_scene(p, "test");
+}
+
+const std::string falling = R"(
+[[body]]
+name = "stone"
+shape = "circle"
+radius = "0.1 m"
+position = ["0 m", "100 m"]
+velocity = ["3 m/s", "0 m/s"]
+[solve]
+duration = "1 s"
+[output]
+rate = "100 Hz"
+)";
+const std::string floor_of_rubber = R"(
+[[terrain]]
+name = "floor"
+shape = "half-plane"
+material = "rubber"
+)";
+const std::string box = R"(
+[[body]]
+name = "box"
+shape = "rectangle"
+width = "1 m"
+height = "1 m"
+position = ["0 m", "0.5 m"]
+material = "rubber"
+)" + floor_of_rubber;
+
+TEST(SceneRun, LetsAStoneFallAsGalileoSays) {
+  const SceneResult r = ran(falling);
+  EXPECT_TRUE(r.valid) << r.reason;
+  ASSERT_EQ(r.run.trajectory.times.size(), 101u);
+  EXPECT_NEAR(r.run.trajectory.position(100, 0).y, 100.0 - 0.5 * 9.80665, 1e-9);
+  EXPECT_NEAR(r.run.trajectory.position(100, 0).x, 3.0, 1e-12);
+  EXPECT_NEAR(r.velocities[100].y, -9.80665, 1e-9);
+  EXPECT_NEAR(r.accelerations[50].y, -9.80665, 1e-12);
+  EXPECT_LT(r.run.energy.relative_error, 1e-9);
+}
+
+TEST(SceneRun, FromAWrittenSceneGivesTheSameHash) {
+  const SceneDescription first = scene(box + "[solve]\nduration = \"0.3 s\"\n");
+  PreparedScene a = prepare_scene(first, records), b = prepare_scene(scene(to_toml(first)), records);
+  EXPECT_EQ(run_scene(a, "").run.reproducibility.state_hash, run_scene(b, "").run.reproducibility.state_hash);
+}
+
+TEST(SceneRun, CanBeInterruptedAndKeepsWhatItReached) {
+  PreparedScene p = prepared(falling);
+  const SceneResult r = run_scene(p, "", [](const SceneProgress& now) { return now.time < 0.5; });
+  EXPECT_TRUE(r.run.partial);
+  EXPECT_TRUE(r.valid);
+  EXPECT_NEAR(r.run.trajectory.times.back(), 0.5, 0.02);
+}
+
+TEST(SceneRun, RefusesAStepAboveTheBound) {
+  try {
+    prepared(box + "[solve]\nstep = \"1 s\"\n");
+    FAIL() << "a step of a second on a rubber floor";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_THAT(error.what(), HasSubstr("solve.step: expected at most the stability bound"));
+  }
+}
+
+TEST(SceneRun, TakesTheAccuracyThatIsAskedFor) {
+  const double draft = prepared(box + "[solve]\naccuracy = \"draft\"\n").plan.step,
+               fine = prepared(box + "[solve]\naccuracy = \"fine\"\n").plan.step;
+  EXPECT_GT(draft, 5.0 * fine);
+}
+
+TEST(SceneRun, CarriesABoxOnABelt) {
+  SceneDescription d = scene(box + "[solve]\nduration = \"2 s\"\n");
+  d.terrains[0].motion.emplace().velocity = engine::Vec2{0.5, 0.0};
+  PreparedScene p = prepare_scene(d, records);
+  const SceneResult r = run_scene(p, "");
+  EXPECT_NEAR(r.velocities.back().x, 0.5, 0.01);
+  EXPECT_NEAR(r.terrain_displacements.back().x, 1.0, 1e-12);
+}
+
+TEST(SceneRun, ShakesTheGroundByAShippedRecord) {
+  SceneDescription d = scene(box + "[solve]\nduration = \"0.5 s\"\n");
+  d.terrains[0].motion.emplace().source = "wenchuan";
+  const PreparedScene p = prepare_scene(d, records);
+  EXPECT_THAT(modelled_terms(p), Contains(HasSubstr("motion of terrain floor")));
+  EXPECT_GT(p.motions[0].duration, 100.0);
+  d.terrains[0].motion->source = "kobe";
+  EXPECT_THROW(prepare_scene(d, records), seismic::InputError);
+}
+
+const std::string pendulum = R"(
+[[body]]
+name = "bar"
+shape = "rectangle"
+width = "0.1 m"
+height = "1 m"
+position = ["0.008726203218641756 m", "-0.4999238475781956 m"]
+angle = "1 deg"
+material = "rubber"
+[[terrain]]
+name = "ceiling"
+shape = "circle"
+radius = "0.1 m"
+position = ["0 m", "0.5 m"]
+[[joint]]
+kind = "pin"
+a = "ceiling"
+b = "bar"
+at = ["0 m", "0 m"]
+[output]
+rate = "500 Hz"
+)";
+
+TEST(SceneRun, SwingsABarOnAPin) {
+  const SceneResult r = ran(pendulum + "[solve]\nduration = \"2 s\"\n");
+  ASSERT_TRUE(r.valid) << r.reason;
+  // Small swings of a bar about its end: T = 2 pi sqrt(2 L/(3 g)) = 1.638 s; upright a quarter period after
+  // the start, with the slack that an anchor off by a degree of arc gives.
+  const double quarter = 0.25 * 2.0 * M_PI * std::sqrt(2.0 / (3.0 * 9.80665));
+  const auto step = static_cast<std::size_t>(std::lround(500.0 * quarter));
+  EXPECT_NEAR(r.run.trajectory.angle(step, 0), 0.0, 2e-3);
+  EXPECT_LT(r.run.trajectory.angle(2 * step, 0), -0.012);
+  EXPECT_EQ(r.run.model.links.size(), 1u);
+}
+
+TEST(SceneRun, HoldsABlockByABondThatBreaksWhenItIsTooWeak) {
+  const std::string hung = R"(
+[[body]]
+name = "block"
+shape = "rectangle"
+width = "1 m"
+height = "1 m"
+position = ["0 m", "-0.5 m"]
+[[terrain]]
+name = "ceiling"
+shape = "rectangle"
+width = "2 m"
+height = "1 m"
+position = ["0 m", "0.5 m"]
+[[bond]]
+a = "ceiling"
+b = "block"
+start = ["-0.5 m", "0 m"]
+end = ["0.5 m", "0 m"]
+tensile_strength = "STRENGTH"
+[solve]
+duration = "0.5 s"
+accuracy = "fine"
+)";
+  const auto height_with = [&](const std::string& strength) {
+    std::string text = hung;
+    text.replace(text.find("STRENGTH"), 8, strength);
+    const SceneResult r = ran(text);
+    EXPECT_TRUE(r.valid) << r.reason;
+    return r.run.trajectory.position(r.run.trajectory.times.size() - 1, 0).y;
+  };
+  EXPECT_NEAR(height_with("1 MPa"), -0.5, 1e-4);
+  EXPECT_LT(height_with("1 kPa"), -1.0);  // it weighs 23.5 kPa
+}
+
+TEST(SceneTerms, NameOnlyWhatTheSceneHas) {
+  EXPECT_THAT(modelled_terms(prepared(falling)), Not(Contains(HasSubstr("gravitation"))));
+  const PreparedScene p =
+      prepared("gravity = \"none\"\n" + falling + "[fields]\ngravitational_constant = \"1 m3/(kg s2)\"\n");
+  EXPECT_THAT(modelled_terms(p), Contains(HasSubstr("gravitation between all bodies, G = 1")));
+  EXPECT_THAT(missing_terms(p), Contains(HasSubstr("uniform gravity: switched off")));
+}
+
+TEST(SceneTerms, SayThatAChargeFeelsNothing) {
+  SceneDescription d = scene(falling);
+  d.bodies[0].charge = 1.0;
+  EXPECT_THAT(missing_terms(prepare_scene(d, records)), Contains(HasSubstr("forces on 1 charge")));
+}
+
+// --- the step of the message loop
+// ---------------------------------------------------------------------------
+
+SceneDescription entered(const std::string& text) {
+  std::istringstream in(text);
+  SpaceWords words(in, "in.space", nullptr);
+  return read_space(words, {}).description;
+}
+
+TEST(SpaceStep, IsTheTickOverNWhereThatIsStable) {
+  SceneDescription d = entered("cir 0 0 0 0 1 0 100 1 finish 10");
+  EXPECT_THAT(choose_space_step(d, 10.0, records), HasSubstr("as asked for"));
+  EXPECT_EQ(d.solve.step, 0.001);
+}
+
+TEST(SpaceStep, IsHalfTheBoundWhereItIsNotAndSaysSo) {
+  SceneDescription d = entered("rect 0 0 0 0 2400 1 1 0 0.5 0 plane 0 0 1 0 finish 10");
+  EXPECT_THAT(choose_space_step(d, 10.0, records), HasSubstr("above the stability bound"));
+  EXPECT_FALSE(d.solve.step);
+  EXPECT_EQ(d.solve.step_fraction, 0.5);
+  const PreparedScene p = prepare_scene(d, records);
+  EXPECT_LE(p.plan.step, 0.5 * p.plan.bound);
+}
+
+}  // namespace
+}  // namespace dougong::app
