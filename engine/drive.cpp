@@ -211,6 +211,7 @@ class Runner {
     broken_ = state_.bonds.broken;
     state_.contacts.keep_apart(held_pairs(model_, state_.bonds));
     countdown_ = 1;  // the step that ends now is counted yet
+    restart();
   }
 
   std::string_view trouble() const {

@@ -24,8 +24,8 @@ class Dynamics {
   /// Work between the last two accepted steps' poses: the trapezoidal rule on the forces along the
   /// displacements.
   Powers work() const { return work_; }
-  /// Friction: what a step begins with changes what comes after.
-  bool has_memory() const { return state_.contacts.points.size() > 0; }
+  /// Friction and bonds: what a step begins with changes what comes after.
+  bool has_memory() const { return state_.contacts.points.size() > 0 || !model_.bond_points.empty(); }
   /// The scene's extent at the start, the speed of a fall through it, and the bodies' radii as levers.
   Scales scales() const { return {length_, fall_speed_, levers_}; }
   std::size_t event_count() const { return 2 * state_.contacts.points.size(); }
