@@ -22,7 +22,7 @@ struct DrawnShape {
   double mass = 0.0;                  // kg; 0 for terrain
   int storey = -1;                    // index into the storeys; -1 for none
   std::string material;
-  std::vector<DrawnShape> parts;  // of a compound, in its frame; only in memory
+  std::vector<DrawnShape> parts = {};  // of a compound, in its frame; only in memory
 };
 
 /// A joint as it is drawn: its anchors in the frames of what it connects. Terrains are numbered behind the

@@ -117,8 +117,8 @@ TEST_F(SceneCommand, SavesWhatItReachedWhenInterrupted) {
   Surroundings around;
   around.signal = SIGINT;
   around.when_it_says = "   0 %";
-  const Ran ran =
-      run({"scene", "run", "s.toml", "--out", "out", "--set", "duration=600 min", "--set", "rate=1 Hz"}, around);
+  const Ran ran = run(
+      {"scene", "run", "s.toml", "--out", "out", "--set", "duration=600 min", "--set", "rate=1 Hz"}, around);
   EXPECT_EQ(ran.exit_code, 30) << ran.err;
   EXPECT_THAT(ran.out, HasSubstr("Interrupted at"));
   EXPECT_EQ(h5::read_integers(h5::open_file(folder() / "out/results.h5"), "partial").at(0), 1);
