@@ -18,11 +18,7 @@ using scenes::run_for;
 using scenes::Running;
 using scenes::tilted_block;
 using testing::expect_relative;
-
-std::string text(double value) {
-  std::string s = std::to_string(value);
-  return s.substr(0, s.find_last_not_of('0') + 1);
-}
+using testing::text;
 
 void check_rocking(const oracles::RockingBlock& c, std::size_t count) {
   const double amplitude = 0.5 * c.alpha();
