@@ -63,6 +63,12 @@ inline RockingRun rocking_run(const oracles::RockingBlock& c, double young_modul
   return run;
 }
 
+inline std::size_t closed_points(const Running& r) {
+  std::size_t closed = 0;
+  for (const auto& history : r.state.contacts.points.history) closed += history.open ? 0 : 1;
+  return closed;
+}
+
 /// An impact is a change of the corner it stands on, between excursions of a thousandth of alpha. Ends early
 /// when the outcome is certain: on its side, or too slow to reach alpha on a quiet ground.
 inline oracles::RockingHistory measured_rocking(const RockingRun& run) {
@@ -75,10 +81,8 @@ inline oracles::RockingHistory measured_rocking(const RockingRun& run) {
   r.run(options, [&](const engine::Sample& sample) {
     const double angle = r.angle(), spin = r.spin(), t = sample.state.time;
     h.angle = angle, h.spin = spin, h.greatest_angle = std::max(h.greatest_angle, std::abs(angle));
-    if (std::abs(angle) > seen && side * angle <= 0.0) {
-      h.impacts += side != 0.0 ? 1 : 0, side = angle;
-      if (h.uplift_time < 0.0) h.uplift_time = t;
-    }
+    if (std::abs(angle) > seen && side * angle <= 0.0) h.impacts += side != 0.0 ? 1 : 0, side = angle;
+    if (h.uplift_time < 0.0 && t > 0.0 && closed_points(r) < 2) h.uplift_time = t;
     if (std::abs(angle) > 0.95 * quarter) {  // the rest of the way at the present spin
       h.overturned = true, h.overturning_time = t + (quarter - std::abs(angle)) / std::abs(spin);
       return engine::Wish::stop;
