@@ -45,12 +45,16 @@ Bounces measured_bounces(Running& r, double radius, double until) {
   return b;
 }
 
-void check_bouncing(const oracles::BouncingBall& c, double radius) {
-  Scene s = scenes::scene(0.6, 60e9, damping_ratio_for_restitution(c.restitution));
+Scene dropped_ball(const oracles::BouncingBall& c, double radius, double young_modulus) {
+  Scene s = scenes::scene(0.6, young_modulus, damping_ratio_for_restitution(c.restitution));
   s.gravity.y = -c.g;
   s.bodies.push_back(disc(radius, {0.0, radius + c.clearance}));
   s.terrains.push_back(scenes::ground());
-  Running r(s);
+  return s;
+}
+
+void check_bouncing(const oracles::BouncingBall& c, double radius) {
+  Running r(dropped_ball(c, radius, 60e9));
   const Bounces b = measured_bounces(r, radius, c.rest_time() + 0.3);
   ASSERT_GE(b.apexes.size(), 6u);
   for (int n = 0; n < 6; ++n) {
@@ -71,6 +75,38 @@ TEST(BouncingBall, ImpactsRisesAndComesToRestAsItsRestitutionSays) {
 }
 TEST(BouncingBall, DoesSoForOtherBallsToo) {
   check_bouncing({2.0, 0.6, 9.81}, 0.2);
+}
+
+// The greatest error of ten impacts that meet the floor at other parts of a step.
+double worst_restitution_error(const std::string& integrator, double step_fraction) {
+  double worst = 0.0;
+  for (int i = 0; i < 10; ++i) {
+    const oracles::BouncingBall c{0.1 + 1e-4 * i, 0.7, 9.81};
+    Running r(dropped_ball(c, 0.1, 3e9));
+    auto options = run_for(1.8 * c.fall_time(), 1e-3, integrator);
+    options.step_fraction = step_fraction;
+    double before = 0.0, after = 0.0;
+    r.run(options, [&](const Sample&) {
+      const double energy = 0.5 * dot(r.velocity(), r.velocity()) + c.g * (r.position().y - 0.1);
+      (before == 0.0 ? before : after) = energy;
+      return Wish::go_on;
+    });
+    worst = std::max(worst, std::abs(std::sqrt(after / before) / c.restitution - 1.0));
+  }
+  std::printf("E04 %s at %g of the bound: worst error of the restitution %.2g\n", integrator.c_str(),
+              step_fraction, worst);
+  return worst;
+}
+
+TEST(BouncingBall, NeedsASmallPartOfTheStabilityBoundForItsRestitution) {
+  for (const char* integrator : {"velocity-verlet", "symplectic-euler", "rk4"}) {
+    const double coarse = worst_restitution_error(integrator, 0.5);
+    const double medium = worst_restitution_error(integrator, 0.1);
+    const double fine = worst_restitution_error(integrator, 0.01);
+    EXPECT_LT(medium, coarse);
+    EXPECT_LT(fine, 0.5 * medium);
+    EXPECT_LT(fine, 0.015);
+  }
 }
 
 // Falls coarsely, then meets the floor in steps of a 40 000th of the contact.
