@@ -58,6 +58,7 @@ std::vector<std::string> scene_text(const PreparedScene& p) {
     lines.push_back(row("settle", settle_text(p.settle)));
   lines.push_back(row("frequency", frequency_text(p.highest_frequency)));
   lines.push_back(row("numerics", step_text(p)));
+  if (!p.accuracy.empty()) lines.push_back(row("accuracy", p.accuracy));
   for (const TerrainMotion& motion : p.motions)
     for (const std::string& warning : motion.warnings) lines.push_back(row("warning", warning));
   return lines;

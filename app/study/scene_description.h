@@ -98,11 +98,14 @@ struct BondChoice {
   double damping_ratio = engine::Bond{}.damping_ratio;
 };
 
+/// The integrator that accuracy chooses (engine/accuracy.h).
+inline const std::string automatic_integrator = "automatic";
+
 struct SceneSolve {
   double duration = 10.0;  // s
-  std::string integrator = "velocity-verlet";
-  std::string accuracy = "standard";    // of the step: draft, standard, fine
-  std::optional<double> step_fraction;  // of the stability bound, instead of accuracy
+  std::string integrator = automatic_integrator;
+  std::string accuracy = "standard";    // draft, standard, reference
+  std::optional<double> step_fraction;  // of the stability bound, instead of accuracy's
   std::optional<double> step;           // s, instead of both
   std::optional<double> tolerance;      // of an integrator that chooses its own step
   bool settle = false;

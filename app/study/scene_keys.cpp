@@ -257,15 +257,22 @@ std::vector<Key<engine::ContactOptions>> contact_keys() {
   };
 }
 
+std::vector<std::string> with_automatic(std::vector<std::string> names) {
+  names.insert(names.begin(), automatic_integrator);
+  return names;
+}
+
 std::vector<Key<SceneSolve>> solve_keys() {
   using S = SceneSolve;
   return {
       number<S>("duration", AT(S, duration), time, above_zero, 1e12, "simulated time"),
-      text<S>("integrator", AT(S, integrator), "how the motion is integrated", integrator_names()),
-      text<S>("accuracy", AT(S, accuracy), "of the step: 0.9, 0.5 or 0.1 of the stability bound",
-              {"draft", "standard", "fine"}),
+      text<S>("integrator", AT(S, integrator), "how the motion is integrated; automatic: by accuracy",
+              with_automatic(integrator_names())),
+      text<S>("accuracy", AT(S, accuracy),
+              "chooses integrator, step and tolerance by what the scene contains",
+              {"draft", "standard", "reference"}),
       number<S>("step_fraction", AT(S, step_fraction), ratio, 1e-4, 0.999,
-                "time step as a part of the stability bound, instead of accuracy"),
+                "time step as a part of the stability bound, instead of accuracy's"),
       number<S>("step", AT(S, step), time, above_zero, endless,
                 "time step, instead of both; refused above the stability bound"),
       number<S>("tolerance", AT(S, tolerance), ratio, 1e-15, 1, "of an integrator that chooses its own step"),
@@ -354,12 +361,6 @@ std::vector<DocumentedKey> documented_scene_keys() {
   document<SceneSolve>("solve", all);
   document<SceneOutput>("output", all);
   return all;
-}
-
-double step_fraction_of(const std::string& accuracy) {
-  if (accuracy == "draft") return 0.9;
-  if (accuracy == "fine") return 0.1;
-  return 0.5;
 }
 
 }  // namespace dougong::app

@@ -58,7 +58,4 @@ struct DocumentedKey {
 };
 std::vector<DocumentedKey> documented_scene_keys();
 
-/// The greatest step fraction for each word of solve.accuracy.
-double step_fraction_of(const std::string& accuracy);
-
 }  // namespace dougong::app

@@ -11,6 +11,8 @@
 #include "app/study/scene_file.h"
 #include "app/study/scene_keys.h"
 #include "app/study/stopwatch.h"
+#include "engine/accuracy.h"
+#include "engine/integrators/table.h"
 #include "structures/verdict.h"
 
 namespace dougong::app {
@@ -18,20 +20,27 @@ namespace {
 
 using engine::Vec2;
 
-engine::DriveOptions drive_options(const SceneDescription& d) {
-  engine::DriveOptions options;
-  options.integrator = d.solve.integrator;
-  options.step_fraction = d.solve.step_fraction.value_or(step_fraction_of(d.solve.accuracy));
+// The dial resolves by what the scene contains; what is said beside it goes before.
+void choose_drive(PreparedScene& p) {
+  const SceneDescription& d = p.description;
+  engine::DriveOptions& options = p.drive;
+  const auto chosen = engine::resolve_accuracy(engine::accuracy_from(d.solve.accuracy), p.model);
+  engine::apply(chosen, options);
+  if (d.solve.integrator == automatic_integrator)
+    p.accuracy = d.solve.accuracy + ": " + chosen.explanation;
+  else
+    options.integrator = d.solve.integrator;
+  options.step_fraction = d.solve.step_fraction.value_or(options.step_fraction);
+  options.tolerance = d.solve.tolerance.value_or(options.tolerance);
   options.step = d.solve.step;
   options.output_interval = 1.0 / d.output.rate;
   options.end_time = d.solve.duration;
-  return options;
 }
 
-void refuse_tolerance(const SceneSolve& solve) {
-  if (solve.tolerance)
+void refuse_tolerance(const SceneSolve& solve, const std::string& integrator) {
+  if (solve.tolerance && !engine::traits_of(integrator).adaptive)
     throw std::invalid_argument(
-        fmt::format("solve.tolerance: {} takes steps of a given size; leave it out", solve.integrator));
+        fmt::format("solve.tolerance: {} takes steps of a given size; leave it out", integrator));
 }
 
 engine::Scene built(const SceneDescription& description) {
@@ -191,8 +200,8 @@ PreparedScene check_scene(const SceneDescription& description,
   p.motions = attach_motions(description, p.scene, records_directory);
   p.model = engine::compile(p.scene);
   p.state = engine::initial_state(p.model, p.scene);
-  p.drive = drive_options(description);
-  refuse_tolerance(description.solve);
+  choose_drive(p);
+  refuse_tolerance(description.solve, p.drive.integrator);
   p.plan = engine::plan_steps(p.model, p.state, p.drive);
   p.highest_frequency = highest_frequency(p);
   return p;

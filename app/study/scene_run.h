@@ -19,6 +19,7 @@ struct PreparedScene {
   engine::State state;  // settled where that was asked for
   engine::SettleReport settle;
   engine::DriveOptions drive;
+  std::string accuracy;  // what it chose and why; empty when an integrator was named
   engine::StepPlan plan;
   double highest_frequency = 0.0;  // Hz, bound; 0 where nothing vibrates
   double estimated_seconds = 0.0;  // of one processor

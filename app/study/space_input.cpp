@@ -301,6 +301,7 @@ SpaceInput read_space(SpaceWords& words, const SpaceRules& rules) {
 
 std::string choose_space_step(SceneDescription& description, double divisor,
                               const std::filesystem::path& records_directory) {
+  description.solve.integrator = "velocity-verlet";  // a step is asked for
   const double bound = check_scene(description, records_directory).plan.bound, step = space_tick / divisor;
   if (step <= bound) {
     description.solve.step = step;

@@ -25,4 +25,12 @@ inline void expect_absolute(const std::string& name, const std::string& quantity
   report(name, quantity, reference, measured, std::abs(measured - reference), tolerance);
 }
 
+/// A number as a part of a name, without trailing zeros.
+inline std::string text(double value) {
+  std::string s = std::to_string(value);
+  s.erase(s.find_last_not_of('0') + 1);
+  if (s.back() == '.') s.pop_back();
+  return s;
+}
+
 }  // namespace dougong::testing

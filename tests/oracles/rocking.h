@@ -2,6 +2,11 @@
 //   theta'' = -p^2 sin(alpha - theta),  theta'^2 = 2 p^2 (cos(alpha - theta_0) - cos(alpha - theta))
 // p^2 = 3 g / (4 R). An impact keeps the angular momentum about the new corner: the spin falls by the
 // factor 1 - 3/2 sin^2(alpha). Housner, Bull. Seism. Soc. Am. 53 (1963) 403-417.
+//
+// A lintel laid freely on equal columns rocks with them: with gamma its mass over that of the columns the
+// frame moves as a block of the same slenderness with
+//   p^2 -> p^2 (1 + 2 gamma)/(1 + 3 gamma),   factor -> (1 - 3/2 sin^2 a + 3 gamma cos 2a)/(1 + 3 gamma)
+// Makris and Vassiliou, Earthquake Engng Struct. Dyn. 42 (2013) 215-232.
 #pragma once
 
 #include <cmath>
@@ -17,10 +22,16 @@ struct Impact {
 
 struct RockingBlock {
   double b, h, g;
+  double lintel = 0.0;  // gamma
 
   double alpha() const { return std::atan(b / h); }
-  double p() const { return std::sqrt(0.75 * g / std::hypot(b, h)); }
-  double velocity_ratio() const { return 1.0 - 1.5 * std::sin(alpha()) * std::sin(alpha()); }
+  double p() const {
+    return std::sqrt(0.75 * g / std::hypot(b, h) * (1.0 + 2.0 * lintel) / (1.0 + 3.0 * lintel));
+  }
+  double velocity_ratio() const {
+    const double sine = std::sin(alpha());
+    return (1.0 - 1.5 * sine * sine + 3.0 * lintel * std::cos(2.0 * alpha())) / (1.0 + 3.0 * lintel);
+  }
 
   double spin_at_impact(double amplitude) const {
     return p() * std::sqrt(2.0 * (std::cos(alpha() - amplitude) - std::cos(alpha())));

@@ -26,6 +26,12 @@ struct Stack {
   double toppling_acceleration(double g) const { return g * b / (count * h); }
 };
 
+/// Greatest overhang of the k-th block of length L from the top, over the one below: the common centre of
+/// the k blocks above is then over the edge.
+inline double overhang_limit(double length, int k) {
+  return length / (2.0 * k);
+}
+
 /// Share of the weight on the loaded corner under a horizontal acceleration a.
 inline double loaded_corner_share(double b, double h, double a, double g) {
   return 0.5 + 0.5 * (a / g) * (h / b);

@@ -93,7 +93,7 @@ TEST(SceneRun, RefusesAStepAboveTheBound) {
 
 TEST(SceneRun, TakesTheAccuracyThatIsAskedFor) {
   const double draft = prepared(box + "[solve]\naccuracy = \"draft\"\n").plan.step,
-               fine = prepared(box + "[solve]\naccuracy = \"fine\"\n").plan.step;
+               fine = prepared(box + "[solve]\naccuracy = \"reference\"\n").plan.step;
   EXPECT_GT(draft, 5.0 * fine);
 }
 
@@ -173,7 +173,7 @@ end = ["0.5 m", "0 m"]
 tensile_strength = "STRENGTH"
 [solve]
 duration = "0.5 s"
-accuracy = "fine"
+accuracy = "reference"
 )";
   const auto height_with = [&](const std::string& strength) {
     std::string text = hung;

@@ -20,13 +20,9 @@ using scenes::run_for;
 using scenes::Running;
 using testing::expect_absolute;
 using testing::expect_relative;
+using testing::text;
 
 constexpr double degree = std::numbers::pi / 180.0;
-
-std::string text(double value) {
-  std::string s = std::to_string(value);
-  return s.substr(0, s.find_last_not_of('0') + 1);
-}
 
 // The block lies in contact equilibrium: each corner sunk by its share of the weight.
 Scene block_on_incline(const oracles::Incline& c, double young_modulus) {

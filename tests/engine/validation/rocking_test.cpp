@@ -18,11 +18,7 @@ using scenes::run_for;
 using scenes::Running;
 using scenes::tilted_block;
 using testing::expect_relative;
-
-std::string text(double value) {
-  std::string s = std::to_string(value);
-  return s.substr(0, s.find_last_not_of('0') + 1);
-}
+using testing::text;
 
 void check_rocking(const oracles::RockingBlock& c, std::size_t count) {
   const double amplitude = 0.5 * c.alpha();
@@ -166,6 +162,60 @@ TEST(StandingBlock, LoadsItsCornersAsTheMomentSays) {
       expect_relative("R07", "a=" + text(a) + "g " + (loaded ? "loaded" : "unloaded") + " corner/W",
                       loaded ? share : 1.0 - share, f.normal / weight, 0.005);
     }
+  }
+}
+
+// Two columns and a lintel laid on them, turned by `tilt` about the right corners of the columns. The mass
+// of the lintel is gamma times that of the columns.
+Scene frame(const oracles::RockingBlock& c, double tilt, double young_modulus, double damping_ratio) {
+  Scene s = scenes::scene(2.0, young_modulus, damping_ratio);
+  const double span = 4.0, depth = 0.25;
+  Vec2 top;  // between the left upper corners
+  for (const double x : {-0.5 * span, 0.5 * span}) {
+    s.bodies.push_back(scenes::block(c.b, c.h, Vec2{x, 0.0} + rotated({-c.b, c.h}, -tilt), -tilt));
+    top += 0.5 * (Vec2{x, 0.0} + rotated({-2.0 * c.b, 2.0 * c.h}, -tilt));
+  }
+  s.bodies.push_back(scenes::block(0.5 * span + 2.0 * c.b, depth, top + Vec2{c.b, depth}));
+  s.bodies.back().mass = c.lintel * 2.0 * 2400.0 * 4.0 * c.b * c.h;
+  s.terrains.push_back(scenes::ground());
+  return s;
+}
+
+void check_frame(const oracles::RockingBlock& c, std::size_t count) {
+  const auto exact = c.impacts(0.5 * c.alpha(), static_cast<int>(count));
+  Running r(frame(c, 0.5 * c.alpha(), 30e9, 2.0));
+  const auto measured = measured_impacts(r, run_for(exact.back().time + 1.0, 5e-4), count);
+  ASSERT_EQ(measured.size(), count);
+  for (std::size_t i = 0; i < count; ++i)
+    expect_relative("R08",
+                    "b=" + text(c.b) + " h=" + text(c.h) + " gamma=" + text(c.lintel) + " impact " +
+                        std::to_string(i + 1) + " t",
+                    exact[i].time, measured[i].time, i == 0 ? 0.01 : 0.02);
+}
+
+TEST(RockingFrame, RocksAsABlockOfTheSameSlenderness) {
+  const oracles::RockingBlock reference{0.3, 1.5, 9.81, 1.0};
+  EXPECT_NEAR(reference.p(), 1.89929, 1e-5);
+  EXPECT_NEAR(reference.velocity_ratio(), 0.927885, 1e-6);
+  const auto impacts = reference.impacts(0.5 * reference.alpha(), 4);
+  const double times[] = {0.694187, 1.86368, 2.88006, 3.77906};
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(impacts[i].time / times[i], 1.0, 3e-6);
+  check_frame(reference, 4);
+}
+TEST(RockingFrame, DoesSoWithOtherProportionsToo) {
+  check_frame({0.25, 1.0, 9.81, 2.0}, 3);
+}
+
+TEST(RockingFrame, UpliftsAtTheAccelerationOfItsColumnsWhateverTheLintel) {
+  for (const double gamma : {0.2, 1.0, 3.0}) {
+    const oracles::RockingBlock c{0.3, 1.5, 9.81, gamma};
+    for (const double part : {0.995, 1.005}) {
+      Running r(frame(c, 0.0, 30e9, 1.0));
+      ASSERT_TRUE(settle(r.model, r.state).settled);
+      const bool rocks = topples_under(r, part * c.b / c.h, true, 3.0, 0.1 * c.alpha());
+      EXPECT_EQ(rocks, part > 1.0) << "gamma " << gamma << " part " << part;
+    }
+    std::printf("R08 gamma=%g stands at 0.995, rocks at 1.005 of %g g\n", gamma, c.b / c.h);
   }
 }
 

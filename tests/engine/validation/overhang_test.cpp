@@ -1,0 +1,67 @@
+// Validation case E06b: a stack of equal blocks, each hanging over the one below as far as it can.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/engine/reference.h"
+#include "tests/oracles/statics.h"
+#include "tests/scenes/running.h"
+
+namespace dougong::engine {
+namespace {
+
+using scenes::run_for;
+using scenes::Running;
+using testing::expect_absolute;
+using testing::text;
+
+// The lowest block hangs over a ledge whose edge is at x = 0. Blocks from the bottom up.
+Scene overhanging_stack(int count, double length, double height, double part) {
+  Scene s = scenes::scene(0.7);
+  Terrain ledge = scenes::ground(20.0);
+  ledge.position.x = -10.0;
+  s.terrains.push_back(ledge);
+  double right = 0.0;
+  for (int k = count; k >= 1; --k) {
+    right += part * oracles::overhang_limit(length, k);
+    const double y = (count - k + 0.5) * height;
+    s.bodies.push_back(scenes::block(0.5 * length, 0.5 * height, {right - 0.5 * length, y}));
+  }
+  return s;
+}
+
+double greatest_drift(const Running& r, const std::vector<double>& start) {
+  double drift = 0.0;
+  for (std::size_t i = 0; i < r.bodies(); ++i)
+    drift = std::max(drift,
+                     norm({r.state.q()[i] - start[i], r.state.q()[r.bodies() + i] - start[r.bodies() + i]}));
+  return drift;
+}
+
+void check_overhang(int count, double length, double height) {
+  const std::string name = std::to_string(count) + " blocks of " + text(length) + " x " + text(height);
+  Running stands(overhanging_stack(count, length, height, 0.99));
+  std::vector<double> start(stands.state.q().begin(), stands.state.q().end());
+  stands.run(run_for(4.0));
+  expect_absolute("E06b", name + " drift in 4 s at 0.99", 0.0, greatest_drift(stands, start), 1e-4);
+
+  Running falls(overhanging_stack(count, length, height, 1.01));
+  start.assign(falls.state.q().begin(), falls.state.q().end());
+  double time = 0.0;
+  falls.run(run_for(4.0), [&](const Sample& sample) {
+    time = sample.state.time;
+    return greatest_drift(falls, start) > 0.1 * length ? Wish::stop : Wish::go_on;
+  });
+  EXPECT_GT(greatest_drift(falls, start), 0.1 * length) << name << " does not topple at 1.01";
+  std::printf("E06b %s has moved by a tenth of its length in %.3g s at 1.01\n", name.c_str(), time);
+}
+
+TEST(HarmonicOverhang, StandsJustInsideItsLimitAndTopplesJustOutside) {
+  check_overhang(8, 1.0, 0.2);
+}
+TEST(HarmonicOverhang, DoesSoWithOtherBlocksToo) {
+  check_overhang(5, 0.6, 0.1);
+}
+
+}  // namespace
+}  // namespace dougong::engine
