@@ -153,6 +153,16 @@ TEST(OneCosinePulse, LeavesASafeWindowBetweenTheModes) {
   check_boundary({reference, false, 3.0}, {6.5404, "M1", "S"}, 0.05, 0.05);
   check_boundary({reference, false, 3.0}, {10.967, "S", "M0"}, 0.05, 0.05);
 }
+TEST(OneCosinePulse, StandsAgainAboveM1) {
+  check_boundary({reference, false, 4.0}, {6.4491, "M1", "S"}, 0.03, 0.05);
+}
+// Overturns after six impacts or so: how many depends on every one of them.
+TEST(OneCosinePulse, OverturnsAfterManyImpactsWhenSlow) {
+  const PulseCase c{reference, false, 1.0};
+  EXPECT_FALSE(measured(c, 0.98 * 1.1256).overturned);
+  EXPECT_TRUE(measured(c, 1.005 * 1.1256).overturned);
+  std::printf("R02c w/p=1 stands at 0.98, overturns at 1.005 of 1.1256\n");
+}
 TEST(OneCosinePulse, DoesNotOverturnWhenFastEnough) {
   for (const double ratio : {5.0, 6.0})
     for (const double strength : {8.0, 16.0})
