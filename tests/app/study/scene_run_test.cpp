@@ -92,9 +92,22 @@ TEST(SceneRun, RefusesAStepAboveTheBound) {
 }
 
 TEST(SceneRun, TakesTheAccuracyThatIsAskedFor) {
-  const double draft = prepared(box + "[solve]\naccuracy = \"draft\"\n").plan.step,
-               fine = prepared(box + "[solve]\naccuracy = \"reference\"\n").plan.step;
-  EXPECT_GT(draft, 5.0 * fine);
+  const auto with = [](const std::string& solve) { return prepared(box + "[solve]\n" + solve + "\n"); };
+  const PreparedScene draft = with("accuracy = \"draft\""), standard = with("accuracy = \"standard\"");
+  EXPECT_EQ(draft.drive.integrator, "velocity-verlet");
+  EXPECT_GT(draft.drive.step_fraction, 1.5 * standard.drive.step_fraction);
+  EXPECT_THAT(draft.accuracy, HasSubstr("draft: "));
+  const PreparedScene reference = with("accuracy = \"reference\"\ntolerance = 1e-9");
+  EXPECT_EQ(reference.drive.integrator, "dormand-prince") << "few bodies: steps that end at impacts";
+  EXPECT_EQ(reference.drive.tolerance, 1e-9);
+}
+
+TEST(SceneRun, TakesTheIntegratorThatIsNamed) {
+  const PreparedScene p = prepared(box + "[solve]\nintegrator = \"rk4\"\nstep_fraction = 0.3\n");
+  EXPECT_EQ(p.drive.integrator, "rk4");
+  EXPECT_EQ(p.drive.step_fraction, 0.3);
+  EXPECT_EQ(p.accuracy, "");
+  EXPECT_THROW(prepared(box + "[solve]\nintegrator = \"rk4\"\ntolerance = 1e-6\n"), std::invalid_argument);
 }
 
 TEST(SceneRun, CarriesABoxOnABelt) {
