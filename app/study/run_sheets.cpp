@@ -90,7 +90,7 @@ Numerics numerics_of(const engine::Model& model, const engine::State& state,
   describe_deepest(model, state, n);
   if (run.step_reductions > 0)
     n.warnings.push_back(
-        fmt::format("the step was reduced {} times, to {:.3g} s, when stiffer contacts appeared",
+        fmt::format("the step was reduced {} times, to {:.3g} s, for stiffer contacts or faster bodies",
                     run.step_reductions, run.smallest_step));
   return n;
 }
