@@ -13,7 +13,7 @@
 
 #include <cmath>
 
-#include "engine/integrators/integrator.h"
+#include "engine/integrators/stages.h"
 
 namespace dougong::engine {
 
@@ -27,15 +27,13 @@ class Rk3 {
 
   template <SecondOrderSystem S>
   Powers step(S& system, double t, double h, std::span<double> q, std::span<double> v) {
-    const std::size_t n = q.size();
-    resize(n);
-    const Powers p1 = system.accelerate(t, q, v, a_[0], true);
-    for (std::size_t i = 0; i < n; ++i) v_[0][i] = v[i];
-    const Powers p2 = stage(system, t + 0.5 * h, 0.5 * h, q, v, 1);
-    const Powers p3 = stage(system, t + 0.75 * h, 0.75 * h, q, v, 2);
-    for (std::size_t i = 0; i < n; ++i) {
-      q[i] += h / 9.0 * (2.0 * v_[0][i] + 3.0 * v_[1][i] + 4.0 * v_[2][i]);
-      v[i] += h / 9.0 * (2.0 * a_[0][i] + 3.0 * a_[1][i] + 4.0 * a_[2][i]);
+    const Powers p1 = stages_.first(system, t, q, v);
+    const Powers p2 = stages_.next(system, t, 0.5 * h, q, v, 1);
+    const Powers p3 = stages_.next(system, t, 0.75 * h, q, v, 2);
+    const auto combined = [](auto&& of) { return 2.0 * of(0) + 3.0 * of(1) + 4.0 * of(2); };
+    for (std::size_t i = 0; i < q.size(); ++i) {
+      q[i] += h / 9.0 * combined([&](std::size_t k) { return stages_.velocity(k, i); });
+      v[i] += h / 9.0 * combined([&](std::size_t k) { return stages_.acceleration(k, i); });
     }
     return (h / 9.0) * (2.0 * p1 + 3.0 * p2 + 4.0 * p3);
   }
@@ -43,24 +41,7 @@ class Rk3 {
   void restart() {}
 
  private:
-  void resize(std::size_t n) {
-    for (auto* set : {&a_, &v_})
-      for (auto& x : *set) x.resize(n);
-    q_.resize(n);
-  }
-
-  template <SecondOrderSystem S>
-  Powers stage(S& system, double t, double dt, std::span<const double> q, std::span<const double> v,
-               std::size_t k) {
-    for (std::size_t i = 0; i < q.size(); ++i) {
-      q_[i] = q[i] + dt * v_[k - 1][i];
-      v_[k][i] = v[i] + dt * a_[k - 1][i];
-    }
-    return system.accelerate(t, q_, v_[k], a_[k], false);
-  }
-
-  std::array<std::vector<double>, 3> a_, v_;
-  std::vector<double> q_;
+  Stages<3> stages_;
 };
 
 }  // namespace dougong::engine

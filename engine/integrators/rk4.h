@@ -15,7 +15,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/integrators/integrator.h"
+#include "engine/integrators/stages.h"
 
 namespace dougong::engine {
 
@@ -30,16 +30,14 @@ class Rk4 {
 
   template <SecondOrderSystem S>
   Powers step(S& system, double t, double h, std::span<double> q, std::span<double> v) {
-    const std::size_t n = q.size();
-    resize(n);
-    const Powers p1 = system.accelerate(t, q, v, a_[0], true);
-    for (std::size_t i = 0; i < n; ++i) v_[0][i] = v[i];
-    const Powers p2 = stage(system, t + 0.5 * h, 0.5 * h, q, v, 1);
-    const Powers p3 = stage(system, t + 0.5 * h, 0.5 * h, q, v, 2);
-    const Powers p4 = stage(system, t + h, h, q, v, 3);
-    for (std::size_t i = 0; i < n; ++i) {
-      q[i] += h / 6.0 * (v_[0][i] + 2.0 * (v_[1][i] + v_[2][i]) + v_[3][i]);
-      v[i] += h / 6.0 * (a_[0][i] + 2.0 * (a_[1][i] + a_[2][i]) + a_[3][i]);
+    const Powers p1 = stages_.first(system, t, q, v);
+    const Powers p2 = stages_.next(system, t, 0.5 * h, q, v, 1);
+    const Powers p3 = stages_.next(system, t, 0.5 * h, q, v, 2);
+    const Powers p4 = stages_.next(system, t, h, q, v, 3);
+    const auto combined = [](auto&& of) { return of(0) + 2.0 * (of(1) + of(2)) + of(3); };
+    for (std::size_t i = 0; i < q.size(); ++i) {
+      q[i] += h / 6.0 * combined([&](std::size_t k) { return stages_.velocity(k, i); });
+      v[i] += h / 6.0 * combined([&](std::size_t k) { return stages_.acceleration(k, i); });
     }
     return (h / 6.0) * (p1 + 2.0 * (p2 + p3) + p4);
   }
@@ -51,24 +49,7 @@ class Rk4 {
   // 2.6 (found by sampling |1 + z + z^2/2 + z^3/6 + z^4/24| = 1); 2.5 leaves a little.
   static constexpr double left_radius = 2.5;
 
-  void resize(std::size_t n) {
-    for (auto* set : {&a_, &v_})
-      for (auto& x : *set) x.resize(n);
-    q_.resize(n);
-  }
-
-  template <SecondOrderSystem S>
-  Powers stage(S& system, double t, double dt, std::span<const double> q, std::span<const double> v,
-               std::size_t k) {
-    for (std::size_t i = 0; i < q.size(); ++i) {
-      q_[i] = q[i] + dt * v_[k - 1][i];
-      v_[k][i] = v[i] + dt * a_[k - 1][i];
-    }
-    return system.accelerate(t, q_, v_[k], a_[k], false);
-  }
-
-  std::array<std::vector<double>, 4> a_, v_;
-  std::vector<double> q_;
+  Stages<4> stages_;
 };
 
 }  // namespace dougong::engine

@@ -54,17 +54,4 @@ inline engine::Scene cloud(int count, unsigned seed = 1) {
   return s;
 }
 
-inline engine::Vec2 momentum(const Running& r) {
-  engine::Vec2 sum;
-  for (std::size_t i = 0; i < r.bodies(); ++i) sum += r.model.mass[i] * r.velocity(i);
-  return sum;
-}
-/// About a fixed point.
-inline double angular_momentum(const Running& r, engine::Vec2 about) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < r.bodies(); ++i)
-    sum += r.model.mass[i] * cross(r.position(i) - about, r.velocity(i)) + r.model.inertia[i] * r.spin(i);
-  return sum;
-}
-
 }  // namespace dougong::scenes

@@ -1,6 +1,7 @@
 // A scene with its model and state, ready to run.
 #pragma once
 
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,29 @@ struct Running {
     return engine::drive(model, state, options, observe);
   }
 };
+
+inline engine::Vec2 momentum(const Running& r) {
+  engine::Vec2 sum;
+  for (std::size_t i = 0; i < r.bodies(); ++i) sum += r.model.mass[i] * r.velocity(i);
+  return sum;
+}
+/// About a fixed point.
+inline double angular_momentum(const Running& r, engine::Vec2 about) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < r.bodies(); ++i)
+    sum += r.model.mass[i] * cross(r.position(i) - about, r.velocity(i)) + r.model.inertia[i] * r.spin(i);
+  return sum;
+}
+
+/// What compile() says against a scene; "accepted" when it has nothing to say.
+inline std::string refusal_of(const engine::Scene& scene) {
+  try {
+    engine::compile(scene);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "accepted";
+}
 
 inline engine::DriveOptions run_for(double end_time, double output_interval = 0.01,
                                     const std::string& integrator = "velocity-verlet") {

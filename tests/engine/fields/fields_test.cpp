@@ -15,6 +15,7 @@ namespace {
 
 using scenes::cloud;
 using scenes::point;
+using scenes::refusal_of;
 using scenes::Running;
 using scenes::space;
 using ::testing::HasSubstr;
@@ -24,15 +25,6 @@ std::vector<Vec2> forces_of(const Running& r) {
   Tree scratch;
   add_field_forces(r.model.fields, frames_of(r.model, r.state), scratch, forces);
   return forces;
-}
-
-std::string error_of(const Scene& scene) {
-  try {
-    compile(scene);
-  } catch (const std::invalid_argument& e) {
-    return e.what();
-  }
-  return "";
 }
 
 TEST(FieldTerms, AreLeftOutWhereASceneLacksThem) {
@@ -54,17 +46,17 @@ TEST(FieldTerms, NameTheBodyOrConstantThatIsWrong) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   Scene s = cloud(3);
   s.bodies[1].charge = nan;
-  EXPECT_THAT(error_of(s), HasSubstr("point 1: charge"));
+  EXPECT_THAT(refusal_of(s), HasSubstr("point 1: charge"));
   s = cloud(3), s.bodies[2].linear_drag = -1.0;
-  EXPECT_THAT(error_of(s), HasSubstr("point 2: linear drag"));
+  EXPECT_THAT(refusal_of(s), HasSubstr("point 2: linear drag"));
   s = cloud(3), s.bodies[0].quadratic_drag = nan;
-  EXPECT_THAT(error_of(s), HasSubstr("point 0: quadratic drag"));
+  EXPECT_THAT(refusal_of(s), HasSubstr("point 0: quadratic drag"));
   s = cloud(3), s.fields.softening = -0.1;
-  EXPECT_THAT(error_of(s), HasSubstr("softening"));
+  EXPECT_THAT(refusal_of(s), HasSubstr("softening"));
   s = cloud(3), s.fields.gravitational_constant = -1.0;
-  EXPECT_THAT(error_of(s), HasSubstr("gravitational constant"));
+  EXPECT_THAT(refusal_of(s), HasSubstr("gravitational constant"));
   s = cloud(3), s.fields.electric_field.x = nan;
-  EXPECT_THAT(error_of(s), HasSubstr("electric field"));
+  EXPECT_THAT(refusal_of(s), HasSubstr("electric field"));
 }
 
 TEST(FieldForces, AreNewtonsCoulombsAndTheUniformFields) {

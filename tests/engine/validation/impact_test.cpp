@@ -158,13 +158,9 @@ struct Momenta {
   double turnover = 0.0;  // the same without signs
 };
 Momenta momenta(const Running& r) {
-  Momenta sum;
-  for (std::size_t i = 0; i < r.bodies(); ++i) {
-    const Vec2 p = r.model.mass[i] * r.velocity(i);
-    sum.linear += p;
-    sum.angular += cross(r.position(i), p) + r.model.inertia[i] * r.spin(i);
-    sum.turnover += norm(p) * (1.0 + norm(r.position(i)));
-  }
+  Momenta sum{scenes::momentum(r), scenes::angular_momentum(r, {}), 0.0};
+  for (std::size_t i = 0; i < r.bodies(); ++i)
+    sum.turnover += r.model.mass[i] * norm(r.velocity(i)) * (1.0 + norm(r.position(i)));
   return sum;
 }
 
