@@ -27,7 +27,7 @@ void choose_drive(PreparedScene& p) {
   const auto chosen = engine::resolve_accuracy(engine::accuracy_from(d.solve.accuracy), p.model);
   engine::apply(chosen, options);
   if (d.solve.integrator == automatic_integrator)
-    p.accuracy = d.solve.accuracy + ": " + chosen.explanation;
+    p.accuracy = chosen.explanation;
   else
     options.integrator = d.solve.integrator;
   options.step_fraction = d.solve.step_fraction.value_or(options.step_fraction);

@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 
 #include "seismic/input_error.h"
 #include "seismic/motions/steady_motion.h"
+#include "tests/seismic/test_data.h"
 
 namespace dougong::seismic {
 namespace {
@@ -71,12 +71,10 @@ TEST(SteadyMotion, MovesEvenly) {
   EXPECT_EQ(belt.at(3.0).velocity, (Vec2{2.0, -1.0}));
 }
 
-class MotionTableFile : public testing::Test {
+class MotionTableFile : public ::testing::Test {
  protected:
   MotionTable read(const std::string& text) const {
-    const auto path = std::filesystem::temp_directory_path() / "dougong-motion-table.csv";
-    std::ofstream(path) << text;
-    return read_motion_table(path);
+    return read_motion_table(testing::write_file("motion-table.csv", text));
   }
   std::string error(const std::string& text) const {
     try {
