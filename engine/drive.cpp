@@ -66,6 +66,7 @@ class Runner {
     std::visit(
         [&]<class I>(I& i) {
           adaptive_ = I::traits.adaptive, name_ = I::traits.name;
+          dynamics_.evaluated_once_a_step(I::traits.evaluations == 1);
           if constexpr (I::traits.adaptive) i.set_tolerance(options.tolerance);
         },
         integrator_);

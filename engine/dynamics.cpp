@@ -34,7 +34,10 @@ Powers Dynamics::accelerate(double t, std::span<const double> q, std::span<const
   place_bodies(model_, q, v, frames_);
   place_terrains(model_, t, terrain_held_still_, frames_);
   loads_.resize(state_.contacts.points.size());
-  const ContactTotals totals = contact_forces(state_.contacts.points, frames_, begins_step, loads_);
+  const bool weigh = begins_step && one_evaluation_ && t > last_begin_;
+  const ContactTotals totals =
+      contact_forces(state_.contacts.points, frames_, begins_step, loads_, weigh ? t - last_begin_ : 0.0);
+  if (begins_step) last_begin_ = t;
   state_.contacts.gather(loads_, forces_, torques_);
   const LinkTotals links = add_links(begins_step);
   const std::size_t n = model_.body_count;

@@ -2,6 +2,8 @@
 // sees them.
 #pragma once
 
+#include <limits>
+
 #include "engine/fields/fields.h"
 #include "engine/integrators/error_control.h"
 #include "engine/integrators/integrator.h"
@@ -16,6 +18,9 @@ class Dynamics {
   /// non-viscous damping, for finding an equilibrium (Cundall 1987, in Brown (ed.), Analytical and
   /// Computational Methods in Engineering Rock Mechanics, ch. 4). 0 for any true motion.
   Dynamics(const Model& model, State& state, bool terrain_held_still = false, double local_damping = 0.0);
+
+  /// Of a method that evaluates once a step, dashpots that close within one are weighed (contact_forces).
+  void evaluated_once_a_step(bool once) { one_evaluation_ = once; }
 
   std::size_t degrees_of_freedom() const { return 3 * model_.body_count; }
   /// Accelerations at (t, q, v). begins_step: these are the poses of an accepted step.
@@ -54,6 +59,8 @@ class Dynamics {
   State& state_;
   bool terrain_held_still_;
   double local_damping_;
+  bool one_evaluation_ = false;
+  double last_begin_ = std::numeric_limits<double>::infinity();  // s, of the last accepted step
   std::vector<Frame> frames_;
   std::vector<PointLoad> loads_;
   std::vector<Vec2> forces_;

@@ -6,6 +6,7 @@
 // takes to within 0.2 % of the velocity, whatever the stiffness (docs/validation.md, R01).
 #pragma once
 
+#include <optional>
 #include <string>
 
 namespace dougong::engine {
@@ -17,6 +18,9 @@ struct Material {
   double poisson_ratio = 0.2;         // -
   double friction_coefficient = 0.6;  // -, static = kinetic
   double damping_ratio = 1.0;         // -, local to a contact point
+  /// Spin after over spin before an impact of a rocking block (-), in (0, 1]; unset: what the corners' law
+  /// gives, Housner's ratio at a damping ratio of 1 or more. A ratio above that cannot be had (rocking.h).
+  std::optional<double> rocking_restitution = std::nullopt;
 };
 
 /// Damping ratio that gives the coefficient of restitution e (0..1) in a free impact on a linear

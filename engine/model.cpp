@@ -84,9 +84,24 @@ void add_terrain(Model& model, const Scene& scene, const Terrain& terrain) {
   model.motions.push_back(terrain.motion);
 }
 
+void require_rocking_restitution(const std::optional<double>& ratio, const std::string& owner) {
+  if (ratio && !(*ratio > 0.0 && *ratio <= 1.0))
+    throw std::invalid_argument(owner + ": rocking restitution must lie in (0, 1], found " +
+                                std::to_string(*ratio));
+}
+
+// The couple that takes the rest of the spin is given by the dashpots.
+void require_dashpot(const PairRule& rule, const std::string& owner) {
+  if (rule.rocking_restitution && rule.damping_ratio == 0.0)
+    throw std::invalid_argument(owner + ": a rocking restitution needs a damping ratio above 0 (1 or 2)");
+}
+
 PairRule rule_of_any_two(const Material& a, const Material& b) {
-  return {std::min(a.friction_coefficient, b.friction_coefficient),
-          0.5 * (a.damping_ratio + b.damping_ratio)};
+  PairRule rule{std::min(a.friction_coefficient, b.friction_coefficient),
+                0.5 * (a.damping_ratio + b.damping_ratio), a.rocking_restitution};
+  if (b.rocking_restitution)
+    rule.rocking_restitution = std::min(rule.rocking_restitution.value_or(1.0), *b.rocking_restitution);
+  return rule;
 }
 
 void set_rule(Model& model, const Scene& scene, const MaterialPair& pair) {
@@ -100,14 +115,20 @@ void set_rule(Model& model, const Scene& scene, const MaterialPair& pair) {
     rule->damping_ratio = pair.damping_ratio.value_or(rule->damping_ratio);
     require_not_negative(rule->friction_coefficient, owner, "friction coefficient");
     require_not_negative(rule->damping_ratio, owner, "damping ratio");
+    if (pair.rocking_restitution) rule->rocking_restitution = pair.rocking_restitution;
+    require_rocking_restitution(rule->rocking_restitution, owner);
   }
 }
 
 void add_rules(Model& model, const Scene& scene) {
   model.material_count = scene.materials.size();
+  for (const Material& m : scene.materials) require_rocking_restitution(m.rocking_restitution, m.name);
   for (const Material& a : scene.materials)
     for (const Material& b : scene.materials) model.rules.push_back(rule_of_any_two(a, b));
   for (const MaterialPair& pair : scene.material_pairs) set_rule(model, scene, pair);
+  for (std::size_t i = 0; i < model.rules.size(); ++i)
+    require_dashpot(model.rules[i], scene.materials[i / model.material_count].name + " on " +
+                                        scene.materials[i % model.material_count].name);
 }
 
 Vec2 mean_position(const std::vector<Body>& bodies) {
@@ -122,6 +143,10 @@ bool Model::has_contacts() const {
   const auto count = std::count(touchable.begin(), touchable.end(), true);
   const auto bodies = touchable.begin() + static_cast<std::ptrdiff_t>(body_count);
   return count > 1 && std::count(touchable.begin(), bodies, true) > 0;
+}
+
+bool Model::has_rocking_restitution() const {
+  return std::any_of(rules.begin(), rules.end(), [](const PairRule& r) { return r.rocking_restitution; });
 }
 
 double Model::total_mass() const {

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,7 @@ namespace dougong::engine {
 /// What two materials do where they touch.
 struct PairRule {
   double friction_coefficient = 0.0, damping_ratio = 0.0;
+  std::optional<double> rocking_restitution = std::nullopt;
 };
 
 struct Model {
@@ -57,6 +59,8 @@ struct Model {
     return rules[material_index[a] * material_count + material_index[b]];
   }
   std::size_t material_count = 0;
+  /// Whether any rule asks for a rocking restitution.
+  bool has_rocking_restitution() const;
   /// Whether any two of its bodies and terrains can touch.
   bool has_contacts() const;
   double total_mass() const;

@@ -62,10 +62,11 @@ struct Fields {
 };
 
 /// What two materials do where they touch, instead of the rule for any two: the smaller friction coefficient,
-/// the mean damping ratio.
+/// the mean damping ratio, the smaller rocking restitution of those given.
 struct MaterialPair {
   std::size_t a = 0, b = 0;
-  std::optional<double> friction_coefficient, damping_ratio;
+  std::optional<double> friction_coefficient = std::nullopt, damping_ratio = std::nullopt,
+                        rocking_restitution = std::nullopt;
 };
 
 struct Scene {

@@ -28,6 +28,8 @@ class ConvexPolygon {
   /// An edge inside a compound: it bounds the polygon, but nothing touches it.
   bool is_inner(std::size_t i) const { return !inner_.empty() && inner_[i]; }
 
+  bool has_inner_edges() const { return !inner_.empty(); }
+
   /// The same polygon turned, then moved, in another frame: its centroid is no longer the origin.
   ConvexPolygon moved(Vec2 position, double angle) const;
   ConvexPolygon with_inner_edges(std::vector<bool> inner) const;

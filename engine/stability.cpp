@@ -94,6 +94,10 @@ void add_point(const Model& model, const ContactPoints& points, std::size_t i, s
   sums.add(model, s);
   s.direction = turned(g.normal), s.stiffness = law.tangential, s.damping = law.tangential_damping;
   sums.add(model, s);
+  if (points.rocking.empty() || points.rocking[i].couple == 0.0) return;
+  const Row turn_a{0.0, 0.0, 1.0 / std::sqrt(model.inertia[s.a])};
+  const Row turn_b{0.0, 0.0, -1.0 / std::sqrt(model.inertia[s.b])};
+  sums.damping.add(points.rocking[i].couple * points.rocking[i].length, turn_a, turn_b);
 }
 
 void add_bond_points(const Model& model, std::span<const Frame> frames, Sums& sums) {

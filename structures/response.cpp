@@ -247,4 +247,15 @@ Response compute_response(const Building& building, const Trajectory& trajectory
   return response;
 }
 
+std::optional<double> total_loss(const Building& building, const Trajectory& trajectory,
+                                 const LossCriteria& criteria) {
+  require_matching(building, trajectory);
+  const auto blocks = find_block_losses(building, trajectory, criteria);
+  std::size_t last = 0;
+  for (const Loss& loss : find_level_losses(building, blocks, masses_of(building.scene), criteria))
+    last = std::max(last, loss.step);
+  if (building.storeys.empty() || last == never) return std::nullopt;
+  return trajectory.times[last];
+}
+
 }  // namespace dougong::structures

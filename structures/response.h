@@ -131,4 +131,8 @@ const StoreyResponse* storey_of_residual_drift(const Response& response);
 Response compute_response(const Building& building, const Trajectory& trajectory,
                           const LossCriteria& criteria = {});
 
+/// When the last storey was lost (s); empty while one stands.
+std::optional<double> total_loss(const Building& building, const Trajectory& trajectory,
+                                 const LossCriteria& criteria = {});
+
 }  // namespace dougong::structures

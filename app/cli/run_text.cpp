@@ -134,6 +134,7 @@ std::vector<std::string> preparation_text(const Preparation& p) {
       row("numerics", step_text(p)),
       row("cost", fmt::format("about {} for {:.1f} s simulated ({:.0f} steps), measured on a short trial",
                               time_text(p.estimated_seconds), p.duration, p.duration / p.plan.step))};
+  if (!p.accuracy.empty()) lines.insert(lines.end() - 1, row("accuracy", p.accuracy));
   for (const structures::Finding& finding : p.findings)
     lines.push_back(row(to_string(finding.severity), finding.message));
   for (const std::string& warning : p.motion.conditioned.warnings) lines.push_back(row("warning", warning));

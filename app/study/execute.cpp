@@ -113,13 +113,41 @@ double standing_error(const EnergyHistory& energy, const structures::Response& r
   return input > 0.0 ? error / input : 0.0;
 }
 
+// Ends the run once every storey is lost and the debris has had its time.
+class CollapseWatch {
+ public:
+  explicit CollapseWatch(const Preparation& p) : p_(p) {}
+
+  bool over(const structures::Trajectory& trajectory) {
+    const double now = trajectory.times.back();
+    if (!p_.scenario.solve.after_collapse) return false;
+    if (!lost_at_ && now >= next_look_) {
+      lost_at_ = structures::total_loss(p_.building, trajectory, p_.scenario.loss);
+      next_look_ = now + 1.0;  // s; the whole trajectory is read
+    }
+    return lost_at_ && now >= *lost_at_ + *p_.scenario.solve.after_collapse;
+  }
+  std::string reason() const {
+    return fmt::format("every storey was lost by {:.2f} s, and solve.after_collapse is {:.3g} s", *lost_at_,
+                       *p_.scenario.solve.after_collapse);
+  }
+
+ private:
+  const Preparation& p_;
+  double next_look_ = 0.0;  // s
+  std::optional<double> lost_at_;
+};
+
 engine::RunOutcome shake(Preparation& p, Recorder& recorder, const ProgressObserver& progress) {
   engine::DriveOptions options = p.drive;
   if (!stands(p)) options.end_time = 0.0;
+  CollapseWatch collapse(p);
   engine::RunOutcome run = engine::drive(p.model, p.state, options, [&](const engine::Sample& sample) {
     recorder.note(sample);
-    return !progress || progress(recorder.progress()) ? engine::Wish::go_on : engine::Wish::interrupt;
+    if (progress && !progress(recorder.progress())) return engine::Wish::interrupt;
+    return collapse.over(recorder.trajectory) ? engine::Wish::stop : engine::Wish::go_on;
   });
+  if (run.outcome == engine::Outcome::stopped_by_criterion) run.detail = collapse.reason();
   if (run.outcome == engine::Outcome::step_too_large)
     throw std::invalid_argument("solve.step: " + run.detail);
   return run;

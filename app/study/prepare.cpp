@@ -13,14 +13,10 @@ void refuse_errors(const std::vector<structures::Finding>& findings) {
   if (!errors.empty()) throw ModelError(errors);
 }
 
-engine::DriveOptions drive_options(const Scenario& scenario, double duration) {
-  engine::DriveOptions options;
-  options.integrator = scenario.solve.integrator;
-  options.step_fraction = scenario.solve.step_fraction;
-  options.step = scenario.solve.step;
-  options.output_interval = 1.0 / scenario.output.rate;
-  options.end_time = duration;
-  return options;
+void choose_drive(Preparation& p) {
+  p.accuracy = choose_integration(p.scenario.solve, p.model, p.drive);
+  p.drive.output_interval = 1.0 / p.scenario.output.rate;
+  p.drive.end_time = p.duration;
 }
 
 double duration_of(const Scenario& scenario, const MotionInput& motion) {
@@ -64,7 +60,7 @@ Preparation prepare(const Scenario& scenario, const std::filesystem::path& recor
   settle_building(p);
   find_period(p);
   p.duration = duration_of(scenario, p.motion);
-  p.drive = drive_options(scenario, p.duration);
+  choose_drive(p);
   p.plan = engine::plan_steps(p.model, p.state, p.drive);
   refuse_unstable_step(p.drive, p.plan);
   refuse_too_much_output(p);

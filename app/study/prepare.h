@@ -23,6 +23,7 @@ struct Preparation {
   engine::SettleReport settle;
   double period = 0.0;         // s, of the horizontal mode that carries most mass; 0 when there is none
   double participation = 0.0;  // of the mass
+  std::string accuracy;        // what the dial chose and why; empty where the integrator was named
   engine::DriveOptions drive;
   engine::StepPlan plan;
   std::size_t contact_points = 0;  // touching

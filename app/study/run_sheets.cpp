@@ -143,11 +143,13 @@ DrawnShape drawn_shape(const engine::Terrain& terrain, const engine::Scene& scen
 }
 
 NamedValue material_sheet(const engine::Material& m) {
-  return {m.name,
-          fmt::format("E {}, {}, friction {}, damping ratio {}",
-                      print_quantity(m.young_modulus, Dimension::pressure),
-                      print_quantity(m.density, Dimension::density), m.friction_coefficient, m.damping_ratio),
-          "damping ratio of a contact point; friction of two materials is the smaller one"};
+  return {
+      m.name,
+      fmt::format(
+          "E {}, {}, friction {}, damping ratio {}{}", print_quantity(m.young_modulus, Dimension::pressure),
+          print_quantity(m.density, Dimension::density), m.friction_coefficient, m.damping_ratio,
+          m.rocking_restitution ? fmt::format(", rocking restitution {}", *m.rocking_restitution) : ""),
+      "damping ratio of a contact point; friction of two materials is the smaller one"};
 }
 
 }  // namespace dougong::app

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "app/study/integration_choice.h"
 #include "app/study/override.h"
 #include "structures/layouts/layout.h"
 #include "structures/response.h"
@@ -50,13 +51,11 @@ struct Conditioning {
   std::string resample = "fft";    // fft, linear
 };
 
-struct SolveChoice {
-  std::string integrator = "velocity-verlet";
-  double step_fraction = 0.5;      // of the stability bound
-  std::optional<double> step;      // s, instead of the fraction
-  std::optional<double> duration;  // s; unset: the motion and free_vibration
-  double free_vibration = 5.0;     // s, after the motion
-  bool settle = true;              // under gravity, before the motion
+struct SolveChoice : IntegrationChoice {
+  std::optional<double> duration;              // s; unset: the motion and free_vibration
+  double free_vibration = 5.0;                 // s, after the motion
+  std::optional<double> after_collapse = 5.0;  // s, after every storey is lost; unset: to the end
+  bool settle = true;                          // under gravity, before the motion
 };
 
 struct OutputChoice {

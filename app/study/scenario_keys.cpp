@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <numbers>
 
-#include "engine/integrators/table.h"
-
 namespace dougong::app {
 namespace {
 
@@ -13,11 +11,6 @@ using enum Dimension;
 constexpr double endless = std::numeric_limits<double>::infinity();
 constexpr double tiny = 1e-9;  // least of what must be above zero
 constexpr double half_turn = std::numbers::pi;
-
-template <std::size_t... I>
-std::vector<std::string> names_at(std::index_sequence<I...>) {
-  return {std::string(std::variant_alternative_t<I, engine::AnyIntegrator>::traits.name)...};
-}
 
 template <auto Section, auto Member>
 Slot slot(Scenario& scenario) {
@@ -92,16 +85,23 @@ std::vector<ScenarioKey> make_table() {
       text("conditioning.resample", slot<&S::conditioning, &C::resample>, "how it is resampled",
            {"fft", "linear"}),
 
-      text("solve.integrator", slot<&S::solve, &V::integrator>, "how the motion is integrated",
-           integrator_names()),
+      text("solve.integrator", slot<&S::solve, &V::integrator>,
+           "how the motion is integrated; automatic: by solve.accuracy", integrator_choices()),
+      text("solve.accuracy", slot<&S::solve, &V::accuracy>,
+           "chooses integrator, step and tolerance by what the building contains",
+           {"draft", "standard", "reference"}),
       number("solve.step_fraction", slot<&S::solve, &V::step_fraction>, ratio, 1e-4, 0.999,
-             "time step as a part of the stability bound"),
+             "time step as a part of the stability bound, instead of solve.accuracy's"),
       number("solve.step", slot<&S::solve, &V::step>, time, 1e-12, 1,
-             "time step, instead of solve.step_fraction"),
+             "time step, instead of both; refused above the stability bound"),
+      number("solve.tolerance", slot<&S::solve, &V::tolerance>, ratio, 1e-15, 1,
+             "of an integrator that chooses its own step"),
       number("solve.duration", slot<&S::solve, &V::duration>, time, tiny, 1e5,
              "simulated time; none: the motion and solve.free_vibration"),
       number("solve.free_vibration", slot<&S::solve, &V::free_vibration>, time, 0, 1e4,
              "time after the motion, in which the building comes to rest"),
+      number("solve.after_collapse", slot<&S::solve, &V::after_collapse>, time, 0, 1e5,
+             "time after every storey is lost, in which the debris falls; none: to the end"),
       flag("solve.settle", slot<&S::solve, &V::settle>, "settle under gravity before the motion"),
 
       number("loss.drop_of_width", slot<&S::loss, &L::drop_of_width>, ratio, 0, 1e3,
@@ -136,10 +136,6 @@ std::vector<ScenarioKey> make_table() {
 }
 
 }  // namespace
-
-std::vector<std::string> integrator_names() {
-  return names_at(std::make_index_sequence<std::variant_size_v<engine::AnyIntegrator>>{});
-}
 
 std::span<const ScenarioKey> scenario_keys() {
   static const std::vector<ScenarioKey> table = make_table();

@@ -16,7 +16,4 @@ using ScenarioKey = Key<Scenario>;
 std::span<const ScenarioKey> scenario_keys();
 const ScenarioKey* find_key(const std::string& name);
 
-/// The names in the table of integrators.
-std::vector<std::string> integrator_names();
-
 }  // namespace dougong::app

@@ -144,6 +144,7 @@ engine::Material material_of(const MaterialChoice& choice) {
   m.poisson_ratio = choice.poisson_ratio.value_or(m.poisson_ratio);
   m.friction_coefficient = choice.friction.value_or(m.friction_coefficient);
   m.damping_ratio = damping_ratio_of(choice.damping_ratio, choice.restitution, m.damping_ratio);
+  m.rocking_restitution = choice.rocking_restitution;
   return m;
 }
 
@@ -234,7 +235,7 @@ class Builder {
     if (choice.damping_ratio && choice.restitution)
       fail("restitution", "damping_ratio and restitution exclude each other");
     engine::MaterialPair pair{material_index(choice.a, "a"), material_index(choice.b, "b"), choice.friction,
-                              choice.damping_ratio};
+                              choice.damping_ratio, choice.rocking_restitution};
     if (choice.restitution) pair.damping_ratio = engine::damping_ratio_for_restitution(*choice.restitution);
     out_.scene.material_pairs.push_back(pair);
   }

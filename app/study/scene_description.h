@@ -20,12 +20,14 @@ struct MaterialChoice {
   std::string preset;  // what is not given comes from it; empty: that of its name, else concrete
   std::optional<double> density, young_modulus, poisson_ratio, friction, damping_ratio;
   std::optional<double> restitution;  // instead of damping_ratio
+  std::optional<double> rocking_restitution = std::nullopt;
 };
 
 struct MaterialPairChoice {
   std::string a, b;
   std::optional<double> friction, damping_ratio;
   std::optional<double> restitution;  // instead of damping_ratio
+  std::optional<double> rocking_restitution = std::nullopt;
 };
 
 struct PartChoice;
@@ -99,15 +101,8 @@ struct BondChoice {
 };
 
 /// The integrator that accuracy chooses (engine/accuracy.h).
-inline const std::string automatic_integrator = "automatic";
-
-struct SceneSolve {
+struct SceneSolve : IntegrationChoice {
   double duration = 10.0;  // s
-  std::string integrator = automatic_integrator;
-  std::string accuracy = "standard";    // draft, standard, reference
-  std::optional<double> step_fraction;  // of the stability bound, instead of accuracy's
-  std::optional<double> step;           // s, instead of both
-  std::optional<double> tolerance;      // of an integrator that chooses its own step
   bool settle = false;
 };
 

@@ -120,6 +120,10 @@ std::vector<Key<MaterialChoice>> material_keys() {
       number<M>("damping_ratio", AT(M, damping_ratio), ratio, 0, 1e3, "of a contact point"),
       number<M>("restitution", AT(M, restitution), ratio, 0.001, 1,
                 "of an impact, instead of damping_ratio: 1 bounces back at full speed"),
+      number<M>(
+          "rocking_restitution", AT(M, rocking_restitution), ratio, 0.001, 1,
+          "measured spin after over before a rocking impact; none: what the contact law gives; of two the "
+          "smaller one"),
   };
 }
 
@@ -131,6 +135,8 @@ std::vector<Key<MaterialPairChoice>> pair_keys() {
       number<P>("friction", AT(P, friction), ratio, 0, 1e3, "between the two, instead of the smaller one"),
       number<P>("damping_ratio", AT(P, damping_ratio), ratio, 0, 1e3, "of their contact points"),
       number<P>("restitution", AT(P, restitution), ratio, 0.001, 1, "instead of damping_ratio"),
+      number<P>("rocking_restitution", AT(P, rocking_restitution), ratio, 0.001, 1,
+                "of one rocking on the other"),
   };
 }
 
@@ -257,17 +263,12 @@ std::vector<Key<engine::ContactOptions>> contact_keys() {
   };
 }
 
-std::vector<std::string> with_automatic(std::vector<std::string> names) {
-  names.insert(names.begin(), automatic_integrator);
-  return names;
-}
-
 std::vector<Key<SceneSolve>> solve_keys() {
   using S = SceneSolve;
   return {
       number<S>("duration", AT(S, duration), time, above_zero, 1e12, "simulated time"),
       text<S>("integrator", AT(S, integrator), "how the motion is integrated; automatic: by accuracy",
-              with_automatic(integrator_names())),
+              integrator_choices()),
       text<S>("accuracy", AT(S, accuracy),
               "chooses integrator, step and tolerance by what the scene contains",
               {"draft", "standard", "reference"}),

@@ -11,8 +11,6 @@
 #include "app/study/scene_file.h"
 #include "app/study/scene_keys.h"
 #include "app/study/stopwatch.h"
-#include "engine/accuracy.h"
-#include "engine/integrators/table.h"
 #include "structures/verdict.h"
 
 namespace dougong::app {
@@ -20,27 +18,11 @@ namespace {
 
 using engine::Vec2;
 
-// The dial resolves by what the scene contains; what is said beside it goes before.
 void choose_drive(PreparedScene& p) {
   const SceneDescription& d = p.description;
-  engine::DriveOptions& options = p.drive;
-  const auto chosen = engine::resolve_accuracy(engine::accuracy_from(d.solve.accuracy), p.model);
-  engine::apply(chosen, options);
-  if (d.solve.integrator == automatic_integrator)
-    p.accuracy = chosen.explanation;
-  else
-    options.integrator = d.solve.integrator;
-  options.step_fraction = d.solve.step_fraction.value_or(options.step_fraction);
-  options.tolerance = d.solve.tolerance.value_or(options.tolerance);
-  options.step = d.solve.step;
-  options.output_interval = 1.0 / d.output.rate;
-  options.end_time = d.solve.duration;
-}
-
-void refuse_tolerance(const SceneSolve& solve, const std::string& integrator) {
-  if (solve.tolerance && !engine::traits_of(integrator).adaptive)
-    throw std::invalid_argument(
-        fmt::format("solve.tolerance: {} takes steps of a given size; leave it out", integrator));
+  p.accuracy = choose_integration(d.solve, p.model, p.drive);
+  p.drive.output_interval = 1.0 / d.output.rate;
+  p.drive.end_time = d.solve.duration;
 }
 
 engine::Scene built(const SceneDescription& description) {
@@ -201,7 +183,6 @@ PreparedScene check_scene(const SceneDescription& description,
   p.model = engine::compile(p.scene);
   p.state = engine::initial_state(p.model, p.scene);
   choose_drive(p);
-  refuse_tolerance(description.solve, p.drive.integrator);
   p.plan = engine::plan_steps(p.model, p.state, p.drive);
   p.highest_frequency = highest_frequency(p);
   return p;

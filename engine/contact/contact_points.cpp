@@ -101,12 +101,13 @@ inline void commit_point(ContactPoints& points, std::size_t i, const PointGeomet
 
 }  // namespace
 
-void ContactPoints::resize(std::size_t n) {
+void ContactPoints::resize(std::size_t n, bool with_rocking) {
   kind.resize(n);
   corner_body.resize(n), edge_body.resize(n);
   corner.resize(n), edge_point.resize(n), edge_normal.resize(n), edge_offset.resize(n);
   radius.resize(n), other_radius.resize(n);
   stiffness.resize(n), inverse_width.resize(n), history.resize(n), past.resize(n);
+  rocking.resize(with_rocking ? n : 0);
 }
 
 void ContactPoints::set(std::size_t i, const Feature& f, const PointStiffness& law, double width) {
@@ -132,21 +133,49 @@ PointGeometry geometry_of(const ContactPoints& points, std::size_t i, std::span<
   return corner_edge_geometry(points, i, approach_of(points, i, corner, edge), corner, edge);
 }
 
+double overlap_rate(const PointGeometry& g, const Frame& corner, const Frame& edge) {
+  return rates_of(g, corner, edge).overlap;
+}
+
 namespace {
 
-// Force of one touching point; adds its powers to the totals.
+// What the forces of a pose count for in the step before and after it, where the point closed since the last
+// pose or is about to open (contact_forces).
+struct PoseWeights {
+  double spring = 1.0, dashpot = 1.0;
+};
+
+// tau/h: part of the step before in which the point was closed.
+inline PoseWeights closing_weights(double overlap, double rate, double step) {
+  const double closed = rate * step > overlap ? overlap / (rate * step) : 1.0;
+  return {0.5 + 0.5 * closed, 0.5 + closed};
+}
+
+// Of a point that will open before the step is over.
+inline double opening_weight(double overlap, double rate, double step) {
+  return overlap + rate * step < 0.0 ? 0.5 - 0.5 * overlap / (rate * step) : 1.0;
+}
+
+// Force of one touching point; adds its powers to the totals. step = 0: no weighing.
 inline PointForces touch(const PointStiffness& law, const PointGeometry& g, const Frame& corner,
-                         const Frame& edge, PointLoad& load, ContactTotals& totals) {
+                         const Frame& edge, bool was_open, double step, PointLoad& load,
+                         ContactTotals& totals) {
   const PointRates rate = rates_of(g, corner, edge);
-  const double normal = normal_force(law.normal, law.normal_damping, g.overlap, rate.overlap);
+  const PoseWeights w =
+      was_open && step > 0.0 ? closing_weights(g.overlap, rate.overlap, step) : PoseWeights{};
+  double spring = w.spring * law.normal * g.overlap;
+  double normal = std::max(0.0, spring + w.dashpot * law.normal_damping * rate.overlap);
   const double limit = law.friction * normal;
-  const double wanted = law.tangential * g.slip + law.tangential_damping * rate.slip;
-  const double tangential = -friction_force(wanted, limit);
+  const double damping = w.dashpot * law.tangential_damping;
+  const double wanted = law.tangential * g.slip + damping * rate.slip;
+  const double last = normal > 0.0 ? opening_weight(g.overlap, rate.overlap, step) : 1.0;
+  spring *= last, normal *= last;
+  const double tangential = -last * friction_force(wanted, limit);
   const Vec2 force = normal * g.normal + tangential * turned(g.normal);
   load = {force.x, force.y, cross(g.arm_corner, force), -cross(g.arm_edge, force)};
 
-  const double viscous = std::abs(wanted) > limit ? 0.0 : law.tangential_damping * rate.slip;
-  const PointForces f{normal - law.normal * g.overlap, viscous, -tangential - viscous, limit};
+  const double viscous = std::abs(wanted) > limit ? 0.0 : last * damping * rate.slip;
+  const PointForces f{normal - spring, viscous, -tangential - viscous, limit};
   totals.damping_power += f.dashpot * rate.overlap + f.viscous * rate.slip;
   totals.tangential_power += f.friction * rate.slip;
   return f;
@@ -155,7 +184,7 @@ inline PointForces touch(const PointStiffness& law, const PointGeometry& g, cons
 }  // namespace
 
 ContactTotals contact_forces(ContactPoints& points, std::span<const Frame> frames, bool commit,
-                             std::span<PointLoad> loads) {
+                             std::span<PointLoad> loads, double step) {
   ContactTotals totals;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Frame &corner = frames[points.corner_body[i]], &edge = frames[points.edge_body[i]];
@@ -168,7 +197,7 @@ ContactTotals contact_forces(ContactPoints& points, std::span<const Frame> frame
     }
     PointForces f;
     if (g.overlap > 0.0)
-      f = touch(points.stiffness[i], g, corner, edge, loads[i], totals);
+      f = touch(points.stiffness[i], g, corner, edge, points.history[i].open, step, loads[i], totals);
     else
       loads[i] = {};
     if (!commit) continue;
@@ -176,6 +205,7 @@ ContactTotals contact_forces(ContactPoints& points, std::span<const Frame> frame
     const double ratio = g.overlap * points.inverse_width[i];
     if (ratio > totals.deepest_ratio) totals.deepest_ratio = ratio, totals.deepest_point = i;
   }
+  add_rocking_couples(points, frames, commit, loads, totals);
   return totals;
 }
 

@@ -12,6 +12,7 @@
 
 #include "engine/collision/manifold.h"
 #include "engine/contact/law.h"
+#include "engine/contact/rocking.h"
 
 namespace dougong::engine {
 
@@ -59,9 +60,10 @@ struct ContactPoints {
   std::vector<double> inverse_width;  // 1/m
   std::vector<PointHistory> history;
   std::vector<PointPast> past;
+  std::vector<RockingDashpot> rocking;  // one a point, or none at all
 
   std::size_t size() const { return kind.size(); }
-  void resize(std::size_t n);
+  void resize(std::size_t n, bool with_rocking);
   void set(std::size_t i, const Feature& feature, const PointStiffness& law, double width);
   /// Forgets: point i stands where the frames say, and has done nothing yet.
   void start(std::size_t i, std::span<const Frame> frames);
@@ -77,11 +79,18 @@ struct PointGeometry {
   double position = 0.0;  // m, of the corner along the edge; round contacts: slip since the last commit
 };
 PointGeometry geometry_of(const ContactPoints& points, std::size_t i, std::span<const Frame> frames);
+/// Rate at which the bodies of a point close (m/s).
+double overlap_rate(const PointGeometry& g, const Frame& corner, const Frame& edge);
 
 /// Forces of all points. With `commit`, the poses are those of an accepted step: anchors follow
 /// Coulomb's return, and totals.deepest_ratio is found.
+///
+/// Of a method that evaluates once a step, the forces of a pose stand for half a step before and half a step
+/// after it. A point that closed tau ago, or opens in tau, bears for a part of that only: with `step` h (s)
+/// since the last commit above 0 its spring counts 1/2 + tau/2h, the dashpot of a closing point, whose force
+/// starts with a jump, 1/2 + tau/h. Impacts are then of second order in h and the spring's work balances.
 ContactTotals contact_forces(ContactPoints& points, std::span<const Frame> frames, bool commit,
-                             std::span<PointLoad> loads);
+                             std::span<PointLoad> loads, double step = 0.0);
 
 /// Two values for every point, whose sign changes are kinks of its force: its overlap; and its rate of slip
 /// (m/s) if its spring stretches to Coulomb's limit `at_start`, else not a number. A step that straddles the

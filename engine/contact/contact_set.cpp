@@ -94,6 +94,14 @@ Feature empty_slot(Index a, Index b) {
   return f;
 }
 
+// The lighter of two bodies rocks on the other, which is taken to stand still.
+RockingImpact rocking_impact(const Model& model, const Manifold& m, BodyPair bodies,
+                             const PointStiffness& law) {
+  const bool a_rocks = model.mass[bodies.a] <= model.mass[bodies.b];
+  const Index body = a_rocks ? bodies.a : bodies.b;
+  return {model.mass[body], model.inertia[body], 0.5 * m.length, a_rocks ? m.depth_a : m.depth_b, law};
+}
+
 // A history whose spring holds the slip that another feature hands over.
 PointHistory history_with_slip(const ContactPoints& points, std::size_t i, std::span<const Frame> frames,
                                double slip) {
@@ -167,7 +175,11 @@ void ContactSet::rebuild_pairs(const Model& model, std::span<const Frame> frames
 }
 
 std::array<ContactSet::Memory, 2> ContactSet::memory_of(const ContactPoints& points, std::size_t first) {
-  return {{{points.history[first], points.past[first]}, {points.history[first + 1], points.past[first + 1]}}};
+  const auto one = [&](std::size_t i) {
+    return Memory{points.history[i], points.past[i],
+                  points.rocking.empty() ? RockingDashpot{} : points.rocking[i]};
+  };
+  return {one(first), one(first + 1)};
 }
 
 void ContactSet::write_points(const Model& model, std::span<const Frame> frames, ContactPair& pair,
@@ -179,14 +191,41 @@ void ContactSet::write_points(const Model& model, std::span<const Frame> frames,
     if (k >= pair.manifold.count) {
       points.set(i, empty_slot(a, b), {}, width);
       points.history[i] = {}, points.past[i] = {};
+      if (!points.rocking.empty()) points.rocking[i] = {};
       continue;
     }
     const Feature& feature = pair.manifold.features[k];
     points.set(i, feature, point_stiffness(model, frames, pair.manifold, feature, a, b), width);
     points.start(i, frames);
-    for (Index l = 0; l < old.count; ++l)
-      if (old.features[l].identity == feature.identity)
-        points.history[i] = kept[l].history, points.past[i] = kept[l].past;
+    for (Index l = 0; l < old.count; ++l) {
+      if (old.features[l].identity != feature.identity) continue;
+      points.history[i] = kept[l].history, points.past[i] = kept[l].past;
+      if (!points.rocking.empty()) points.rocking[i] = kept[l].rocking;
+    }
+  }
+  if (!points.rocking.empty()) write_rocking(model, frames, pair);
+}
+
+// A face with two corners can rock; the couple is found anew when the length of contact has changed.
+void ContactSet::write_rocking(const Model& model, std::span<const Frame> frames, ContactPair& pair) {
+  constexpr double same_length = 1e-3;
+  const Manifold& m = pair.manifold;
+  const auto ratio = model.rule(pair.bodies.a, pair.bodies.b).rocking_restitution;
+  const bool rocks = ratio && m.count == 2 && m.length > 0.0;
+  if (rocks && std::abs(m.length - pair.rocking_length) > same_length * m.length) {
+    const PointStiffness& law = points.stiffness[pair.first_point];
+    pair.rocking_couple = couple_for_ratio(rocking_impact(model, m, pair.bodies, law), *ratio);
+    pair.rocking_length = m.length;
+  }
+  for (Index k = 0; k < 2; ++k) {
+    RockingDashpot& dashpot = points.rocking[pair.first_point + k];
+    const Frame &corner = frames[points.corner_body[pair.first_point + k]],
+                &edge = frames[points.edge_body[pair.first_point + k]];
+    if (dashpot.couple == 0.0) dashpot.past_angle = corner.angle - edge.angle;
+    dashpot.couple = rocks ? pair.rocking_couple : 0.0;
+    dashpot.length = m.length;
+    const PointStiffness& law = points.stiffness[pair.first_point + k];
+    if (rocks) dashpot.rate = law.normal / law.normal_damping;
   }
 }
 
@@ -229,7 +268,7 @@ void ContactSet::lay_out_points(const Model& model, std::span<const Frame> frame
   points = {};
   std::size_t count = 0;
   for (const ContactPair& pair : pairs_) count += pair.manifold.count > 0 ? 2 : 0;
-  points.resize(count);
+  points.resize(count, model.has_rocking_restitution());
   Index next = 0;
   for (ContactPair& pair : pairs_) {
     const bool was_active = pair.active;

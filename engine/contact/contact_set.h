@@ -18,6 +18,9 @@ struct ContactPair {
   Manifold manifold;
   Index first_point = 0;  // of two, if active
   bool active = false;    // within the margin
+  // The couple of the pair's rocking restitution, and the length of contact it was found for.
+  double rocking_couple = 0.0;   // N s
+  double rocking_length = -1.0;  // m
   // Pose of the smaller body in the larger one's frame when the manifold was found.
   Vec2 seen_position;
   double seen_angle = 0.0;
@@ -52,6 +55,7 @@ class ContactSet {
   struct Memory {
     PointHistory history;
     PointPast past;
+    RockingDashpot rocking;
   };
   static std::array<Memory, 2> memory_of(const ContactPoints& points, std::size_t first);
 
@@ -60,6 +64,7 @@ class ContactSet {
   bool refresh(const Model& model, std::span<const Frame> frames, ContactPair& pair, bool& activity_changed);
   void write_points(const Model& model, std::span<const Frame> frames, ContactPair& pair, const Manifold& old,
                     std::span<const Memory> kept);
+  void write_rocking(const Model& model, std::span<const Frame> frames, ContactPair& pair);
   void lay_out_points(const Model& model, std::span<const Frame> frames);
   void index_bodies(std::size_t bodies);
 

@@ -61,15 +61,15 @@ PointStiffness point_stiffness(const Model& model, std::span<const Frame> frames
                                const Feature& feature, Index a, Index b) {
   const Placement p = placement_of(frames, feature);
   const Index corner = feature.corner_body, edge = feature.edge_body;
-  const auto [friction, xi] = model.rule(a, b);
+  const PairRule& rule = model.rule(a, b);
   PointStiffness s;
   s.normal = normal_stiffness(model, manifold, a, b);
   s.tangential = s.normal * tangential_ratio(model, a, b);
   const double mn = felt_mass(model, corner, edge, p.arm_corner, p.arm_edge, p.normal);
   const double mt = felt_mass(model, corner, edge, p.arm_corner, p.arm_edge, turned(p.normal));
-  s.normal_damping = 2.0 * xi * std::sqrt(s.normal * mn);
-  s.tangential_damping = 2.0 * xi * std::sqrt(s.tangential * mt);
-  s.friction = friction;
+  s.normal_damping = 2.0 * rule.damping_ratio * std::sqrt(s.normal * mn);
+  s.tangential_damping = 2.0 * rule.damping_ratio * std::sqrt(s.tangential * mt);
+  s.friction = rule.friction_coefficient;
   return s;
 }
 

@@ -19,6 +19,8 @@ std::vector<Parameter> material_parameters(const engine::Material& standard) {
        "damping of a contact point over its critical damping; 1: a corner lands without rebound"},
       {"restitution", ratio, 0.0, 0.0, 1.0,
        "coefficient of restitution of a contact point, instead of damping_ratio; 0: damping_ratio holds"},
+      {"rocking_restitution", ratio, 0.0, 0.0, 1.0,
+       "measured spin after over before a rocking impact; 0: what the contact law gives (Housner's)"},
       {"thickness", length, 1.0, 1e-3, 1e3, "out-of-plane thickness of the blocks"},
   };
 }
@@ -42,6 +44,7 @@ Building on_ground(const std::string& material_name, const ParameterValues& valu
   const double restitution = values("restitution");
   material.damping_ratio =
       restitution > 0.0 ? engine::damping_ratio_for_restitution(restitution) : values("damping_ratio");
+  if (values("rocking_restitution") > 0.0) material.rocking_restitution = values("rocking_restitution");
 
   engine::Terrain ground;
   ground.name = "ground";

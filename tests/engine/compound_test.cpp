@@ -210,6 +210,31 @@ TEST(GroundLine, LetsADiscRollThroughAValley) {
   EXPECT_GT(r.position().y, 0.35);
 }
 
+// Without friction only the landings on the new slope take speed: of the part across it, twice at most.
+void expect_speed_after_kink(double slope) {
+  const Vec2 down{std::cos(slope), -std::sin(slope)}, up{std::sin(slope), std::cos(slope)};
+  const Vec2 points[] = {-10.0 * down, {0.0, 0.0}, {10.0, 0.0}};
+  const auto line = make_polyline_ground(points, 1.0);
+  Scene s = scenes::scene(0.0, 3e9);
+  s.bodies.push_back(scenes::block(0.2, 0.1, 0.1 * up - 3.0 * down, -slope));
+  s.bodies[0].velocity = 3.0 * down;
+  Terrain terrain;
+  terrain.name = "kink";
+  terrain.shape = line.compound;
+  terrain.position = line.centroid;
+  s.terrains.push_back(terrain);
+  Running r(s);
+  r.run(run_for(1.5));
+  const double before = std::sqrt(9.0 + 2.0 * norm(s.gravity) * 3.0 * std::sin(slope));
+  EXPECT_LE(r.velocity().x, before) << slope;
+  EXPECT_GE(r.velocity().x, before * std::cos(slope) * std::cos(slope)) << slope;
+  EXPECT_NEAR(r.angle(), 0.0, 1e-5) << slope;
+}
+
+TEST(GroundLine, LetsABlockSlideThroughAConcaveKink) {
+  for (const double slope : {0.05, 0.17, 0.35}) expect_speed_after_kink(slope);
+}
+
 TEST(GroundLine, RefusesPointsThatTurnBack) {
   const Vec2 back[] = {{0, 0}, {1, 0}, {0.5, 0.2}};
   EXPECT_THROW(make_polyline_ground(back, 1.0), std::invalid_argument);

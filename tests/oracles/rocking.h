@@ -10,6 +10,7 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "tests/oracles/quadrature.h"
@@ -22,7 +23,8 @@ struct Impact {
 
 struct RockingBlock {
   double b, h, g;
-  double lintel = 0.0;  // gamma
+  double lintel = 0.0;                               // gamma
+  std::optional<double> restitution = std::nullopt;  // the ratio of the spins at an impact, if measured
 
   double alpha() const { return std::atan(b / h); }
   double p() const {
@@ -30,6 +32,7 @@ struct RockingBlock {
   }
   double velocity_ratio() const {
     const double sine = std::sin(alpha());
+    if (restitution) return *restitution;
     return (1.0 - 1.5 * sine * sine + 3.0 * lintel * std::cos(2.0 * alpha())) / (1.0 + 3.0 * lintel);
   }
 

@@ -347,6 +347,20 @@ TEST(LostStorey, NeedsMoreThanHalfOfItsLevel) {
   EXPECT_TRUE(fall_first(7));   // six and a half
 }
 
+TEST(TotalLoss, IsWhenTheLastStoreyWent) {
+  Script script = frame();
+  EXPECT_FALSE(total_loss(script.building, script.trajectory()));
+  script.block = [](const std::string& name, double t) {
+    const bool first = name.starts_with("S4");
+    return t < (first ? 1.0 : 2.0) ? Pose{} : Pose{0.0, -5.0, 0.0};
+  };
+  EXPECT_NEAR(total_loss(script.building, script.trajectory()).value(), 2.0, 0.011);
+  script.block = [](const std::string& name, double) {
+    return name.starts_with("S4") ? Pose{0.0, -5.0, 0.0} : Pose{};
+  };
+  EXPECT_FALSE(total_loss(script.building, script.trajectory())) << "three storeys stand";
+}
+
 TEST(MassLost, GrowsByTheBlocksThatFell) {
   Script script = wall();
   script.block = [](const std::string& name, double t) {

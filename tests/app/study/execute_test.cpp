@@ -67,6 +67,28 @@ TEST(Execute, TheStandingErrorIsMeasuredByTheInputUntilTheFirstLossOfSupport) {
   EXPECT_GE(stood.energy.standing_error, stood.energy.relative_error * 0.999);
 }
 
+TEST(Execute, ARunEndsWhenTheDebrisHasHadItsTime) {
+  const std::vector<std::string> falls{"layout=column", "drums=3", "width=0.2 m", "pga=1 g", "duration=25 s"};
+  auto words = falls;
+  words.push_back("after_collapse=1 s");
+  Preparation p = prepared(words);
+  const RunResult r = execute(p, "");
+  ASSERT_TRUE(r.response.storeys.back().lost_at);
+  double last = 0.0;
+  for (const auto& storey : r.response.storeys) last = std::max(last, *storey.lost_at);
+  EXPECT_GE(r.numerics.end_time, last + 1.0);
+  EXPECT_LT(r.numerics.end_time, last + 2.1);  // s, it is looked for once a second
+  EXPECT_EQ(r.numerics.outcome, "stopped by criterion");
+  EXPECT_THAT(r.numerics.outcome_detail, HasSubstr("every storey was lost"));
+  EXPECT_EQ(r.verdict.kind, VerdictKind::collapsed);
+  EXPECT_FALSE(r.partial);
+
+  words = falls;
+  words.push_back("after_collapse=none");
+  Preparation whole = prepared(words);
+  EXPECT_EQ(execute(whole, "").numerics.outcome, "completed");
+}
+
 TEST(Execute, TheWeakestMotionIsNoNumericalFault) {
   Preparation p = prepared({"duration=1 s", "pga=1e-8 g"});
   EXPECT_EQ(execute(p, "").verdict.kind, VerdictKind::survived);
