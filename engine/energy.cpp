@@ -10,6 +10,8 @@ namespace {
 
 // A scene that turns over less than this part of the energy it started with is at rest, or drifts freely.
 constexpr double energy_at_rest = 1e-6;
+// Of rigid contacts nothing is stored: then what gravity holds says what rounding is.
+constexpr double rounding = 1e-9;
 
 double given(double at_start, double now) {
   return std::max(0.0, at_start - now);
@@ -50,8 +52,8 @@ void EnergyTurnover::note(const Energies& energies) {
 }
 
 double EnergyTurnover::relative_error() const {
-  const double scale =
-      std::max({turnover_, energy_at_rest * (first_.elastic + first_.kinetic), std::abs(first_.field)});
+  const double scale = std::max({turnover_, energy_at_rest * (first_.elastic + first_.kinetic),
+                                 std::abs(first_.field), rounding * std::abs(first_.gravity)});
   return scale > 0.0 ? largest_error_ / scale : 0.0;
 }
 

@@ -38,7 +38,8 @@ class EnergyTurnover {
   double largest_error() const { return largest_error_; }  // J
   /// Greatest |error| over the turnover; a scene that turns nothing over, whose error is rounding, is
   /// measured by a millionth of the elastic and kinetic energy it started with; bodies that orbit, which turn
-  /// all of theirs over and gain nothing, by the energy of the fields at the start. 0 when there is none.
+  /// all of theirs over and gain nothing, by the energy of the fields at the start; at least by 1e-9 of that
+  /// of gravity. 0 when there is none.
   double relative_error() const;
   /// Error of the energies noted last (J).
   double error() const { return error_; }
