@@ -61,16 +61,4 @@ double residual_of(const ImpulseProblem& problem) {
   return worst;
 }
 
-void sweep(ImpulseProblem& problem) {
-  for (ImpulsePoint& p : problem.points) {
-    const Vec2 before = p.impulse;
-    const double un = relative_velocity(p, problem.velocity).x;
-    p.impulse.x = std::max(0.0, before.x - (un + p.bias.x) / p.compliance.x);
-    apply_impulse(problem, p, {p.impulse.x - before.x, 0.0});
-    const double ut = relative_velocity(p, problem.velocity).y, limit = p.friction * p.impulse.x;
-    p.impulse.y = std::clamp(before.y - (ut + p.bias.y) / p.compliance.y, -limit, limit);
-    apply_impulse(problem, p, {0.0, p.impulse.y - before.y});
-  }
-}
-
 }  // namespace dougong::engine

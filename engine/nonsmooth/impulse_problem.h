@@ -52,7 +52,4 @@ void apply_impulse(ImpulseProblem& problem, const ImpulsePoint& point, Vec2 impu
 /// Greatest residual of any point at the problem's impulses and velocities (m/s).
 double residual_of(const ImpulseProblem& problem);
 
-/// One sweep of projected Gauss-Seidel: every point in turn meets its own law.
-void sweep(ImpulseProblem& problem);
-
 }  // namespace dougong::engine

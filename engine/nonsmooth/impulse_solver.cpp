@@ -9,13 +9,19 @@ namespace {
 
 // Of the residual, over the speed: what is aimed at, what a guess need not be improved below, and what will
 // do where the aim is out of reach.
-constexpr double aim = 1e-7, good_guess = 1e-5, tolerance = 1e-3;
+constexpr double aim = 1e-7, good_guess = 1e-6, tolerance = 1e-3;
 // Of Newton's method. Rounding leaves about kappa times 1e-16 of the speeds.
 constexpr double kappa = 1e6;
 constexpr std::size_t first_iterations = 30, later_iterations = 8;
 // Of the descents, one after the other: a soft one needs no good guess, a stiff one ends nearer.
 constexpr double softest = 1e2, stiffest = 1e4;
 constexpr std::size_t rounds_between = 4, most_rounds = 80;
+
+// What an iteration leaves outside, by no more than its residual, must not pull or hold.
+Vec2 within_cone(Vec2 impulse, double friction) {
+  const double normal = std::max(0.0, impulse.x), limit = friction * normal;
+  return {normal, std::clamp(impulse.y, -limit, limit)};
+}
 
 }  // namespace
 
@@ -136,9 +142,10 @@ ImpulseSolution ImpulseSolver::solve(ImpulseProblem& problem, double speed) {
     note(problem);
     descent = std::min(10.0 * descent, stiffest);
   }
+  for (std::size_t i = 0; i < best_.size(); ++i) best_[i] = within_cone(best_[i], problem.points[i].friction);
   set_impulses(problem, best_);
-  solution.residual = best_residual_;
-  solution.converged = best_residual_ <= tolerance * speed;
+  solution.residual = residual_of(problem);
+  solution.converged = solution.residual <= tolerance * speed;
   return solution;
 }
 

@@ -32,7 +32,7 @@ class ImpulseSolver {
  public:
   /// Improves the impulses of the problem until the residual is at most 1e-7 of `speed` (m/s), or 1e-3 of it
   /// where Newton's method does not get there, and leaves the velocities that belong to them. A guess within
-  /// 1e-5 is left as it is. Of a solution that does not converge, the best impulses met are left.
+  /// 1e-6 is left as it is. Of a solution that does not converge, the best impulses met are left.
   ImpulseSolution solve(ImpulseProblem& problem, double speed);
 
  private:
