@@ -1,4 +1,5 @@
-// The cases of blocks and balls (E03, E04, E06b, E11, R01, R07, S01, S04) with rigid contacts: moreau-jean.
+// The cases of blocks and balls (E03, E04, E06b, E11, E17, R01, R07, S01, S04, X02, X05, X12) with rigid
+// contacts: moreau-jean.
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -370,7 +371,7 @@ TEST(RigidStackOfBlocks, NeitherSinksNorCreepsInAnHour) {
   const Running start = r;
   const RunOutcome run = r.run(rigid(3600.0, 0.01, 10.0));
   EXPECT_EQ(run.outcome, Outcome::completed) << run.detail;
-  expect_absolute("R10", "moreau-jean drift of a stack of 3 in an hour", 0.0, greatest_drift(r, start), 1e-9);
+  expect_absolute("X12", "moreau-jean drift of a stack of 3 in an hour", 0.0, greatest_drift(r, start), 1e-9);
 }
 
 void check_wall(double amplitude, double duration) {
@@ -387,7 +388,7 @@ void check_wall(double amplitude, double duration) {
   std::printf("wall 6 x 8 at %g g: %.1f iterations a step, worst residual %.1e of the speed\n", amplitude,
               static_cast<double>(run.impulses.iterations) / static_cast<double>(run.impulses.solves),
               run.impulses.worst_residual);
-  expect_absolute("R10", "moreau-jean wall 6 x 8 at " + text(amplitude) + " g: drift", 0.0, drift, 1e-8);
+  expect_absolute("X05", "moreau-jean wall 6 x 8 at " + text(amplitude) + " g: drift", 0.0, drift, 1e-8);
 }
 
 TEST(RigidWall, DoesNotCreepAtRest) {
@@ -398,13 +399,16 @@ TEST(RigidWall, DoesNotCreepBelowItsFriction) {
   check_wall(0.3, 2.0);
 }
 
-TEST(RigidStackOfBlocks, CarriesAMillionTimesItsMass) {
-  Scene s = scenes::column(2, 0.5, 0.25, 0.6);
-  s.bodies[0].mass = 1.0, s.bodies[1].mass = 1e6;
-  Running r(s);
-  const Running start = r;
-  EXPECT_EQ(r.run(rigid(1.0, 1e-3)).outcome, Outcome::completed);
-  expect_absolute("R10", "moreau-jean 1e6 kg on 1 kg: drift in 1 s", 0.0, greatest_drift(r, start), 1e-9);
+TEST(RigidStackOfBlocks, RestsWhateverTheRatioOfItsMasses) {
+  for (const auto& [lower, upper] : {std::pair{1.0, 1e6}, std::pair{1e6, 1.0}, std::pair{1.0, 1e5}}) {
+    Scene s = scenes::column(2, 0.5, 0.25, 0.6);
+    s.bodies[0].mass = lower, s.bodies[1].mass = upper;
+    Running r(s);
+    const Running start = r;
+    EXPECT_EQ(r.run(rigid(60.0, 1e-3)).outcome, Outcome::completed);
+    expect_absolute("X02", "moreau-jean " + text(upper) + " kg on " + text(lower) + " kg: drift in 60 s", 0.0,
+                    greatest_drift(r, start), 1e-9);
+  }
 }
 
 Scene rubble() {
@@ -440,7 +444,7 @@ TEST(RigidContact, BalancesItsEnergy) {
   EXPECT_EQ(run.outcome, Outcome::completed) << run.detail;
   EXPECT_GT(r.state.work.damping, 0.0);
   EXPECT_GT(r.state.work.tangential, 0.0);
-  expect_absolute("R10", "moreau-jean energy balance of shaken rubble", 0.0, turnover.relative_error(),
+  expect_absolute("E17", "moreau-jean energy balance of shaken rubble", 0.0, turnover.relative_error(),
                   1e-10);
   EXPECT_LT(r.state.deepest_ratio, 0.02);
 }
