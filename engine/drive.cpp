@@ -65,11 +65,14 @@ class Runner {
                                     options.output_interval)) {
     std::visit(
         [&]<class I>(I& i) {
+          longest_step_ = I::traits.longest_step, rigid_ = I::traits.rigid_contacts;
           adaptive_ = I::traits.adaptive, name_ = I::traits.name;
           dynamics_.evaluated_once_a_step(I::traits.evaluations == 1);
           if constexpr (I::traits.adaptive) i.set_tolerance(options.tolerance);
         },
         integrator_);
+    state_.contacts.make_rigid(model, frames_of(model, state, options.terrain_held_still), rigid_);
+    if (rigid_) dynamics_.make_contacts_rigid();
   }
 
   StepPlan plan() {
@@ -112,7 +115,8 @@ class Runner {
   double largest_step() const {
     // A step that was asked for gives way when a contact appears that it would be unstable for.
     const bool as_asked = options_.step && *options_.step <= bound_;
-    return std::min(as_asked ? *options_.step : options_.step_fraction * bound_, travel_);
+    const double own = std::min(options_.step_fraction * bound_, longest_step_);
+    return std::min(as_asked ? *options_.step : own, travel_);
   }
 
   void refresh_bound() {
@@ -217,6 +221,8 @@ class Runner {
   }
 
   std::string_view trouble() const {
+    if (dynamics_.impulses() && !dynamics_.impulses()->trouble().empty())
+      return dynamics_.impulses()->trouble();
     return std::visit(
         [](const auto& i) -> std::string_view {
           if constexpr (requires { i.trouble(); }) return i.trouble();
@@ -244,7 +250,7 @@ class Runner {
 
   Wish sample(const Observer& observe) {
     if (!observe) return Wish::go_on;
-    dynamics_.accelerate(state_.time, state_.q(), state_.v(), accelerations_, false);
+    dynamics_.observe(state_.time, state_.q(), state_.v(), accelerations_);
     return observe({state_, accelerations_, dynamics_.terrain_reaction()});
   }
 
@@ -257,6 +263,7 @@ class Runner {
     outcome_.detail = detail;
     outcome_.end_time = state_.time;
     outcome_.evaluations = dynamics_.evaluations();
+    if (dynamics_.impulses()) outcome_.impulses = dynamics_.impulses()->statistics();
     return outcome_;
   }
 
@@ -273,7 +280,9 @@ class Runner {
   RunOutcome outcome_;
   EnergyTurnover turnover_;
   double bound_ = no_bound;
-  double travel_ = no_bound;  // s, ContactSet::longest_step
+  double travel_ = no_bound;        // s, ContactSet::longest_step
+  double longest_step_ = no_bound;  // s, of the integrator's traits
+  bool rigid_ = false;
   std::size_t interval_ = 0, divisions_ = 1, countdown_ = 0;
 };
 

@@ -14,6 +14,7 @@
 #include <string>
 
 #include "engine/energy.h"
+#include "engine/nonsmooth/contact_impulses.h"
 #include "engine/stability.h"
 
 namespace dougong::engine {
@@ -57,6 +58,7 @@ struct RunOutcome {
   std::size_t steps = 0;
   std::size_t step_reductions = 0;
   std::size_t evaluations = 0;  // of the forces
+  ImpulseStatistics impulses;   // of rigid contacts
 };
 
 /// What drive() would do: the step and bound it would start with. Throws std::invalid_argument for an

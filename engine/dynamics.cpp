@@ -33,12 +33,7 @@ Powers Dynamics::accelerate(double t, std::span<const double> q, std::span<const
   ++evaluations_;
   place_bodies(model_, q, v, frames_);
   place_terrains(model_, t, terrain_held_still_, frames_);
-  loads_.resize(state_.contacts.points.size());
-  const bool weigh = begins_step && one_evaluation_ && t > last_begin_;
-  const ContactTotals totals =
-      contact_forces(state_.contacts.points, frames_, begins_step, loads_, weigh ? t - last_begin_ : 0.0);
-  if (begins_step) last_begin_ = t;
-  state_.contacts.gather(loads_, forces_, torques_);
+  const ContactTotals totals = add_contacts(t, begins_step);
   const LinkTotals links = add_links(begins_step);
   const std::size_t n = model_.body_count;
   for (std::size_t i = 0; i < n; ++i) {
@@ -49,13 +44,76 @@ Powers Dynamics::accelerate(double t, std::span<const double> q, std::span<const
   const double drag_power = field_forces_.empty() ? 0.0 : add_fields(a);
   if (local_damping_ > 0.0) damp_locally(v, a);
   if (begins_step) {
-    note_deepest(t, totals);
+    note_deepest(t, totals.deepest_ratio, totals.deepest_point);
     const double drag_work = drag_work_.since_last(model_.fields.drag, frames_);
     work_ = {{terrain_work(), totals.damping_work + links.damping_work + drag_work, totals.tangential_work,
               links.bond_work}};
   }
   return {{terrain_power(), totals.damping_power + links.damping_power + drag_power, totals.tangential_power,
            links.bond_power}};
+}
+
+// The first to write the sums of every body. Rigid contacts leave them at zero.
+ContactTotals Dynamics::add_contacts(double t, bool commit) {
+  if (impulses_) {
+    std::fill(forces_.begin(), forces_.end(), Vec2{});
+    std::fill(torques_.begin(), torques_.end(), 0.0);
+    return {};
+  }
+  loads_.resize(state_.contacts.points.size());
+  const bool weigh = commit && one_evaluation_ && t > last_begin_;
+  const ContactTotals totals =
+      contact_forces(state_.contacts.points, frames_, commit, loads_, weigh ? t - last_begin_ : 0.0);
+  if (commit) last_begin_ = t;
+  state_.contacts.gather(loads_, forces_, torques_);
+  return totals;
+}
+
+void Dynamics::make_contacts_rigid() {
+  if (local_damping_ > 0.0)
+    throw std::invalid_argument("local damping: expected 0 where contacts are rigid, found " +
+                                std::to_string(local_damping_));
+  impulses_.emplace(model_);
+}
+
+// Those at the step's start; and what carries a terrain from mid-step to the next.
+void Dynamics::find_terrain_velocities(double middle, double h) {
+  terrains_before_.assign(model_.terrain_count, {});
+  for (std::size_t j = 0; j < model_.terrain_count; ++j) {
+    if (!model_.motions[j] || terrain_held_still_) continue;
+    const PrescribedMotion& motion = *model_.motions[j];
+    const Vec2 way = motion.at(middle + h).displacement - motion.at(middle).displacement;
+    Frame& frame = frames_[model_.body_count + j];
+    frame.vx = way.x / h, frame.vy = way.y / h;
+    terrains_before_[j] = motion.at(middle - 0.5 * h).velocity;
+  }
+}
+
+Powers Dynamics::add_impulses(double middle, double h, std::span<const double> before, std::span<double> v) {
+  if (!impulses_) return {};
+  find_terrain_velocities(middle, h);
+  const Powers work = impulses_->apply(state_.contacts.points, frames_, h, terrains_before_, before, v);
+  note_deepest(middle, impulses_->deepest_ratio(), impulses_->deepest_point());
+  return work;
+}
+
+void Dynamics::observe(double t, std::span<const double> q, std::span<const double> v, std::span<double> a) {
+  accelerate(t, q, v, a, false);
+  if (impulses_) add_mean_contact_forces(a);
+}
+
+void Dynamics::add_mean_contact_forces(std::span<double> a) {
+  const std::vector<Vec2> others = forces_;
+  loads_.resize(state_.contacts.points.size());
+  ContactImpulses::mean_forces(state_.contacts.points, frames_, loads_);
+  state_.contacts.gather(loads_, forces_, torques_);
+  const std::size_t n = model_.body_count;
+  for (std::size_t i = 0; i < n; ++i) {
+    a[i] += forces_[i].x / model_.mass[i];
+    a[n + i] += forces_[i].y / model_.mass[i];
+    a[2 * n + i] += torques_[i] / model_.inertia[i];
+  }
+  for (std::size_t i = 0; i < forces_.size(); ++i) forces_[i] += others[i];
 }
 
 // Joints and bonds; a scene without them pays two tests.
@@ -114,12 +172,12 @@ double Dynamics::terrain_work() {
   return work;
 }
 
-void Dynamics::note_deepest(double t, const ContactTotals& totals) {
-  if (totals.deepest_ratio <= state_.deepest_ratio) return;
-  state_.deepest_ratio = totals.deepest_ratio;
+void Dynamics::note_deepest(double t, double ratio, std::size_t point) {
+  if (ratio <= state_.deepest_ratio) return;
+  state_.deepest_ratio = ratio;
   state_.deepest_time = t;
-  const Index a = state_.contacts.points.corner_body[totals.deepest_point];
-  const Index b = state_.contacts.points.edge_body[totals.deepest_point];
+  const Index a = state_.contacts.points.corner_body[point];
+  const Index b = state_.contacts.points.edge_body[point];
   state_.deepest_pair = {std::min(a, b), std::max(a, b)};
 }
 

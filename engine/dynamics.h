@@ -7,6 +7,7 @@
 #include "engine/fields/fields.h"
 #include "engine/integrators/error_control.h"
 #include "engine/integrators/integrator.h"
+#include "engine/nonsmooth/contact_impulses.h"
 #include "engine/state.h"
 
 namespace dougong::engine {
@@ -21,11 +22,18 @@ class Dynamics {
 
   /// Of a method that evaluates once a step, dashpots that close within one are weighed (contact_forces).
   void evaluated_once_a_step(bool once) { one_evaluation_ = once; }
+  /// From now on contacts are rigid: they add nothing to accelerate(), and add_impulses() finds what they do.
+  void make_contacts_rigid();
+  const ContactImpulses* impulses() const { return impulses_ ? &*impulses_ : nullptr; }
 
   std::size_t degrees_of_freedom() const { return 3 * model_.body_count; }
   /// Accelerations at (t, q, v). begins_step: these are the poses of an accepted step.
   Powers accelerate(double t, std::span<const double> q, std::span<const double> v, std::span<double> a,
                     bool begins_step);
+  /// Of rigid contacts, over the step whose middle accelerate() saw last: see HasImpulses.
+  Powers add_impulses(double middle, double h, std::span<const double> before, std::span<double> v);
+  /// Accelerations as an observer sees them: with the mean forces of rigid contacts over the last step.
+  void observe(double t, std::span<const double> q, std::span<const double> v, std::span<double> a);
   /// Work between the last two accepted steps' poses: the trapezoidal rule on the forces along the
   /// displacements.
   Powers work() const { return work_; }
@@ -44,6 +52,9 @@ class Dynamics {
 
  private:
   void measure_scene();
+  ContactTotals add_contacts(double t, bool commit);
+  void find_terrain_velocities(double middle, double h);
+  void add_mean_contact_forces(std::span<double> a);
   double add_fields(std::span<double> a);
   void damp_locally(std::span<const double> v, std::span<double> a) const;
   struct LinkTotals {
@@ -53,7 +64,7 @@ class Dynamics {
   LinkTotals add_links(bool commit);
   double terrain_power() const;
   double terrain_work();
-  void note_deepest(double t, const ContactTotals& totals);
+  void note_deepest(double t, double ratio, std::size_t point);
 
   const Model& model_;
   State& state_;
@@ -76,6 +87,8 @@ class Dynamics {
   double length_ = 0.0, fall_speed_ = 0.0;  // m, m/s
   std::vector<double> levers_;              // -, -, m
   std::size_t evaluations_ = 0;
+  std::optional<ContactImpulses> impulses_;  // of rigid contacts
+  std::vector<Vec2> terrains_before_;        // m/s, for the impulses
 };
 
 }  // namespace dougong::engine

@@ -10,6 +10,8 @@ namespace {
 
 // A scene that turns over less than this part of the energy it started with is at rest, or drifts freely.
 constexpr double energy_at_rest = 1e-6;
+// Rigid contacts store nothing: then rounding is all there is.
+constexpr double rounding = 1e-9;
 
 double given(double at_start, double now) {
   return std::max(0.0, at_start - now);
@@ -25,6 +27,7 @@ Energies energies_of(const Model& model, const State& state) {
     e.kinetic += 0.5 * model.mass[i] * (v[i] * v[i] + v[n + i] * v[n + i]);
     e.kinetic += 0.5 * model.inertia[i] * v[2 * n + i] * v[2 * n + i];
     e.gravity -= model.mass[i] * (model.gravity.x * q[i] + model.gravity.y * q[n + i]);
+    e.terms += model.mass[i] * (std::abs(model.gravity.x * q[i]) + std::abs(model.gravity.y * q[n + i]));
   }
   const auto frames = frames_of(model, state);
   if (!model.fields.empty()) e.field = field_energy(model.fields, frames);
@@ -50,8 +53,8 @@ void EnergyTurnover::note(const Energies& energies) {
 }
 
 double EnergyTurnover::relative_error() const {
-  const double scale =
-      std::max({turnover_, energy_at_rest * (first_.elastic + first_.kinetic), std::abs(first_.field)});
+  const double scale = std::max({turnover_, energy_at_rest * (first_.elastic + first_.kinetic),
+                                 std::abs(first_.field), rounding * first_.terms});
   return scale > 0.0 ? largest_error_ / scale : 0.0;
 }
 

@@ -22,6 +22,7 @@ struct Energies {
   double input = 0.0, kinetic = 0.0, gravity = 0.0, elastic = 0.0, friction = 0.0, damping = 0.0;
   double field = 0.0;     // of gravitation, charges and the electric field
   double fracture = 0.0;  // lost in bonds: broken, yielded, rubbed
+  double terms = 0.0;     // of all bodies in gravity, without signs: what rounding is measured by
   double balance() const {
     return kinetic + gravity + field + elastic + friction + fracture + damping - input;
   }
@@ -39,7 +40,8 @@ class EnergyTurnover {
   double largest_error() const { return largest_error_; }  // J
   /// Greatest |error| over the turnover; a scene that turns nothing over, whose error is rounding, is
   /// measured by a millionth of the elastic and kinetic energy it started with; bodies that orbit, which turn
-  /// all of theirs over and gain nothing, by the energy of the fields at the start. 0 when there is none.
+  /// all of theirs over and gain nothing, by the energy of the fields at the start; at least by 1e-9 of the
+  /// terms in gravity. 0 when there is none.
   double relative_error() const;
   /// Error of the energies noted last (J).
   double error() const { return error_; }

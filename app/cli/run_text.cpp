@@ -37,6 +37,9 @@ std::string motion_text(const Preparation& p) {
 std::string step_text(const Preparation& p) {
   if (engine::traits_of(p.drive.integrator).adaptive)
     return fmt::format("{}, steps by their error, {:.0e} each", p.drive.integrator, p.drive.tolerance);
+  if (engine::traits_of(p.drive.integrator).rigid_contacts && !std::isfinite(p.plan.bound))
+    return fmt::format("{}, step {} (rigid contacts: no stability bound)", p.drive.integrator,
+                       time_text(p.plan.step));
   if (!std::isfinite(p.plan.bound))
     return fmt::format("{}, step {} (nothing touches: no stability bound)", p.drive.integrator,
                        time_text(p.plan.step));

@@ -6,6 +6,7 @@
 
 #include "app/report/text.h"
 #include "app/study/quantity.h"
+#include "engine/integrators/table.h"
 
 namespace dougong::app {
 namespace {
@@ -18,12 +19,20 @@ std::string counts_text(const PreparedScene& p) {
   return text;
 }
 
-std::string frequency_text(double highest) {
-  if (!(highest > 0.0)) return "none yet: nothing touches";
-  return fmt::format("at most {} Hz, by Gershgorin's bound", significant(highest, 3));
+bool has_rigid_contacts(const PreparedScene& p) {
+  return engine::traits_of(p.drive.integrator).rigid_contacts;
+}
+
+std::string frequency_text(const PreparedScene& p) {
+  if (!(p.highest_frequency > 0.0))
+    return has_rigid_contacts(p) ? "none: contacts are rigid" : "none yet: nothing touches";
+  return fmt::format("at most {} Hz, by Gershgorin's bound", significant(p.highest_frequency, 3));
 }
 
 std::string step_text(const PreparedScene& p) {
+  if (has_rigid_contacts(p) && !std::isfinite(p.plan.bound))
+    return fmt::format("{}, {}; contacts are rigid: no stability bound, fast bodies shorten the step",
+                       p.drive.integrator, time_text(p.plan.step));
   if (!std::isfinite(p.plan.bound))
     return fmt::format("{}, {} until something touches; then the step follows the contacts",
                        p.drive.integrator, time_text(p.plan.step));
@@ -56,7 +65,7 @@ std::vector<std::string> scene_text(const PreparedScene& p) {
       row("left out", heads_of(missing_terms(p)))};
   if (p.description.solve.settle && p.settle.duration > 0.0)
     lines.push_back(row("settle", settle_text(p.settle)));
-  lines.push_back(row("frequency", frequency_text(p.highest_frequency)));
+  lines.push_back(row("frequency", frequency_text(p)));
   lines.push_back(row("numerics", step_text(p)));
   if (!p.accuracy.empty()) lines.push_back(row("accuracy", p.accuracy));
   for (const TerrainMotion& motion : p.motions)
@@ -65,7 +74,7 @@ std::vector<std::string> scene_text(const PreparedScene& p) {
 }
 
 std::string cost_text(const PreparedScene& p) {
-  if (!std::isfinite(p.plan.bound))
+  if (!std::isfinite(p.plan.bound) && !has_rigid_contacts(p))
     return row("cost", fmt::format("at least {}; contacts that close need shorter steps",
                                    time_text(p.estimated_seconds)));
   return row("cost",

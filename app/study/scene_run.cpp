@@ -35,7 +35,9 @@ engine::Scene built(const SceneDescription& description) {
 
 double highest_frequency(const PreparedScene& p) {
   const auto frames = engine::frames_of(p.model, p.state);
-  const double squared = engine::spectral_bound(p.model, p.state, frames).stiffness;
+  engine::State state = p.state;
+  state.contacts.make_rigid(p.model, frames, engine::traits_of(p.drive.integrator).rigid_contacts);
+  const double squared = engine::spectral_bound(p.model, state, frames).stiffness;
   return std::sqrt(std::max(squared, 0.0)) / (2.0 * std::numbers::pi);
 }
 

@@ -182,6 +182,22 @@ std::array<ContactSet::Memory, 2> ContactSet::memory_of(const ContactPoints& poi
   return {one(first), one(first + 1)};
 }
 
+PointStiffness ContactSet::law_of(const Model& model, std::span<const Frame> frames, const ContactPair& pair,
+                                  const Feature& feature) const {
+  const auto [a, b] = pair.bodies;
+  if (!rigid_) return point_stiffness(model, frames, pair.manifold, feature, a, b);
+  PointStiffness rigid;
+  rigid.friction = model.rule(a, b).friction_coefficient;
+  return rigid;
+}
+
+void ContactSet::make_rigid(const Model& model, std::span<const Frame> frames, bool rigid) {
+  if (rigid == rigid_) return;
+  rigid_ = rigid;
+  for (ContactPair& pair : pairs_)
+    if (pair.active) write_points(model, frames, pair, {}, {});
+}
+
 void ContactSet::write_points(const Model& model, std::span<const Frame> frames, ContactPair& pair,
                               const Manifold& old, std::span<const Memory> kept) {
   const auto [a, b] = pair.bodies;
@@ -195,7 +211,7 @@ void ContactSet::write_points(const Model& model, std::span<const Frame> frames,
       continue;
     }
     const Feature& feature = pair.manifold.features[k];
-    points.set(i, feature, point_stiffness(model, frames, pair.manifold, feature, a, b), width);
+    points.set(i, feature, law_of(model, frames, pair, feature), width);
     points.start(i, frames);
     for (Index l = 0; l < old.count; ++l) {
       if (old.features[l].identity != feature.identity) continue;

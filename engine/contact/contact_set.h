@@ -38,6 +38,9 @@ class ContactSet {
   /// Brings pairs and points up to date with the frames. Returns true if any point was added, removed
   /// or replaced (its stability bound may have changed).
   bool update(const Model& model, std::span<const Frame> frames);
+  /// Whether the points are rigid: without stiffness and dashpots, for an integrator that finds impulses. A
+  /// change starts every point afresh where it is.
+  void make_rigid(const Model& model, std::span<const Frame> frames, bool rigid);
   /// Steps of length h that may pass before the next update, whatever the bodies do at their present
   /// speeds and in free fall (at least 1).
   std::size_t steps_until_update(const Model& model, std::span<const Frame> frames, double h) const;
@@ -68,6 +71,8 @@ class ContactSet {
   void rebuild_pairs(const Model& model, std::span<const Frame> frames);
   bool moved_beyond_skin(const Model& model, std::span<const Frame> frames) const;
   bool refresh(const Model& model, std::span<const Frame> frames, ContactPair& pair, bool& activity_changed);
+  PointStiffness law_of(const Model& model, std::span<const Frame> frames, const ContactPair& pair,
+                        const Feature& feature) const;
   void write_points(const Model& model, std::span<const Frame> frames, ContactPair& pair, const Manifold& old,
                     std::span<const Memory> kept);
   void write_rocking(const Model& model, std::span<const Frame> frames, ContactPair& pair);
@@ -77,6 +82,7 @@ class ContactSet {
   double released_ = 0.0;         // J
   double skin_ = 0.0;             // m
   double smallest_margin_ = 0.0;  // m
+  bool rigid_ = false;
   std::vector<ContactPair> pairs_;
   std::vector<BodyPair> held_;
   std::vector<Vec2> skin_position_;

@@ -9,6 +9,7 @@
 #include <array>
 #include <concepts>
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -37,6 +38,9 @@ struct IntegratorTraits {
   bool symplectic;
   double stability_limit;  // of omega h, undamped oscillator; no meaning for an adaptive one
   bool adaptive = false;
+  bool rigid_contacts = false;  // impulses in place of contact stiffness (moreau_jean.h)
+  /// s, the longest step that drive() takes unless one is asked for: of methods that nothing else may bound.
+  double longest_step = std::numeric_limits<double>::infinity();
 };
 
 template <class S>

@@ -8,6 +8,7 @@
 #include "engine/integrators/dormand_prince.h"
 #include "engine/integrators/explicit_euler.h"
 #include "engine/integrators/leapfrog.h"
+#include "engine/integrators/moreau_jean.h"
 #include "engine/integrators/rk3.h"
 #include "engine/integrators/rk4.h"
 #include "engine/integrators/rk8.h"
@@ -16,8 +17,8 @@
 
 namespace dougong::engine {
 
-using AnyIntegrator =
-    std::variant<VelocityVerlet, SymplecticEuler, Leapfrog, Rk4, Rk3, ExplicitEuler, DormandPrince, Rk8>;
+using AnyIntegrator = std::variant<VelocityVerlet, SymplecticEuler, Leapfrog, Rk4, Rk3, ExplicitEuler,
+                                   DormandPrince, Rk8, MoreauJean>;
 
 namespace detail {
 template <std::size_t I = 0>

@@ -29,8 +29,8 @@ engine::Scene falling_rubble() {
 
 int main() {
   bool completed = true;
-  for (const char* integrator :
-       {"velocity-verlet", "symplectic-euler", "leapfrog", "rk3", "rk4", "dormand-prince", "rk8"}) {
+  for (const char* integrator : {"velocity-verlet", "symplectic-euler", "leapfrog", "rk3", "rk4",
+                                 "dormand-prince", "rk8", "moreau-jean"}) {
     scenes::Running r(falling_rubble());
     const auto run = r.run(scenes::run_for(0.5, 2e-4, integrator));
     completed &= run.outcome == engine::Outcome::completed;

@@ -73,7 +73,8 @@ double largest_amplitude(double w2, double c, double h, int steps) {
 
 template <class I>
 class EveryIntegrator : public ::testing::Test {};
-using Integrators = ::testing::Types<VelocityVerlet, SymplecticEuler, Leapfrog, ExplicitEuler, Rk3, Rk4>;
+using Integrators =
+    ::testing::Types<VelocityVerlet, SymplecticEuler, Leapfrog, ExplicitEuler, Rk3, Rk4, MoreauJean>;
 TYPED_TEST_SUITE(EveryIntegrator, Integrators);
 
 TYPED_TEST(EveryIntegrator, HasTheOrderItClaims) {
@@ -279,7 +280,7 @@ TEST(DiscreteOscillator, IsEachMethodsOwnMap) {
 
 TEST(IntegratorTable, NamesTheKnownOnesWhenAskedForAnother) {
   for (const char* name : {"velocity-verlet", "symplectic-euler", "leapfrog", "explicit-euler", "rk3", "rk4",
-                           "dormand-prince", "rk8"})
+                           "dormand-prince", "rk8", "moreau-jean"})
     EXPECT_NO_THROW(make_integrator(name));
   try {
     make_integrator("leapfrogs");
