@@ -15,7 +15,12 @@ struct Comparison {
   app::Figure figure;
 };
 
-Comparison stick_slip();  // C09
+Comparison dry_walls();       // C01
+Comparison arch_thickness();  // C02
+Comparison tilting_arch();    // C03
+Comparison drum_column();     // C04
+Comparison stick_slip();      // C09
+Comparison brick_array();     // M02
 
 /// Lines of numbers in columns of equal length, as gnuplot reads them. Keeps every `stride`-th line.
 std::string columns(const std::vector<std::vector<double>>& values, std::size_t stride = 1);
