@@ -13,10 +13,22 @@ struct Variant {
   double friction = 0.7, damping_ratio = 0.0, quiet_time = 6.0, step_fraction = 0.5;
 };
 
-double least(double duration, const Variant& v) {
+double least(double duration, const Variant& v = {}) {
   scenes::DrumColumn column;
   column.friction = v.friction, column.damping_ratio = v.damping_ratio;
-  return scenes::least_collapse(column, duration, 0.18 * g, 8.0 * g, 0.02, v.quiet_time, v.step_fraction) / g;
+  // Below the static limit of the base joint, 0.1933 g, nothing can move.
+  return scenes::least_collapse(column, duration, 0.19 * g, 8.0 * g, 0.02, v.quiet_time, v.step_fraction) / g;
+}
+
+/// What the choices that are ours move, where the column behaves like a monolith and where it does not.
+std::string variants() {
+  std::string out =
+      "| t_p (s) | as above | half the step | watched 12 s | damping ratio 0.1 |\n|---|---|---|---|---|\n";
+  for (const double t : {0.35, 0.5})
+    out += fmt::format("| {:.2f} | {:.3f} | {:.3f} | {:.3f} | {:.3f} |\n", t, least(t),
+                       least(t, {0.7, 0.0, 6.0, 0.25}), least(t, {0.7, 0.0, 12.0, 0.5}),
+                       least(t, {0.7, 0.1, 6.0, 0.5}));
+  return out;
 }
 
 }  // namespace
@@ -24,21 +36,19 @@ double least(double duration, const Variant& v) {
 Comparison drum_column() {
   Comparison comparison;
   comparison.table =
-      "| t_p (s) | UDEC | LMGC90 | HybriDFEM | ours, friction 0.7 | no slip | half the step | watched 12 s | "
-      "damping ratio 0.1 | monolith, exact |\n|---|---|---|---|---|---|---|---|---|---|\n";
+      "| t_p (s) | UDEC | LMGC90 | HybriDFEM | ours, friction 0.7 | ours, no slip | monolith, exact |\n"
+      "|---|---|---|---|---|---|---|\n";
   std::vector<std::vector<double>> published(5), ours(2);
   for (const scenes::DrumColumnRow& row : scenes::drum_column_rows) {
-    const double t = row.duration;
-    comparison.table += fmt::format(
-        "| {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.3f} | {:.3f} | {:.3f} | {:.3f} | {:.3f} | {:.3f} |\n", t,
-        row.udec, row.lmgc90, row.hybridfem, least(t, {}), least(t, {10.0}), least(t, {0.7, 0.0, 6.0, 0.25}),
-        least(t, {0.7, 0.0, 12.0, 0.5}), least(t, {0.7, 0.1, 6.0, 0.5}), row.monolith);
+    const double t = row.duration, a = least(t);
+    comparison.table += fmt::format("| {:.2f} | {:.2f} | {:.2f} | {:.2f} | {:.3f} | {:.3f} | {:.3f} |\n", t,
+                                    row.udec, row.lmgc90, row.hybridfem, a, least(t, {10.0}), row.monolith);
     const double values[] = {t, row.udec, row.lmgc90, row.hybridfem, row.monolith};
     for (std::size_t i = 0; i < 5; ++i) published[i].push_back(values[i]);
+    ours[0].push_back(t), ours[1].push_back(a);
   }
-  for (const double t :
-       {0.1, 0.12, 0.15, 0.18, 0.2, 0.25, 0.3, 0.31, 0.32, 0.33, 0.34, 0.35, 0.36, 0.38, 0.4, 0.5, 0.6, 0.8})
-    ours[0].push_back(t), ours[1].push_back(least(t, {}));
+  comparison.table += "\n" + variants();
+  for (const double t : {0.15, 0.25, 0.32, 0.34, 0.36}) ours[0].push_back(t), ours[1].push_back(least(t));
   app::Figure& figure = comparison.figure;
   figure.script = look +
                   "set logscale y\nset xlabel 't_p (s)'\nset ylabel 'least acceleration for collapse (g)'\n"
@@ -47,7 +57,7 @@ Comparison drum_column() {
                   "'published' using 1:2 with points pt 6 ps 1.2 lc rgb '#555555' title 'UDEC', "
                   "'published' using 1:3 with points pt 8 ps 1.2 lc rgb '#555555' title 'LMGC90', "
                   "'published' using 1:4 with points pt 4 ps 1.2 lc rgb '#555555' title 'HybriDFEM', "
-                  "'ours' with linespoints pt 7 ps 0.5 lw 1.4 lc rgb '" +
+                  "'ours' smooth unique with linespoints pt 7 ps 0.5 lw 1.4 lc rgb '" +
                   app::to_hex(app::category(0)) + "' title 'Dougong'\n";
   figure.data["published"] = columns(published);
   figure.data["ours"] = columns(ours);
