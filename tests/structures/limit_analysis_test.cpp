@@ -56,11 +56,18 @@ void check_thickness(const std::string& name, const scenes::ArchCase& arch, doub
 }
 
 // The published limits are 15 % below the associative multiplier, and 2 % above it.
-TEST(DryWall, FallsWhereLimitAnalysisSays) {
-  check_tilt("C01 wall 1", scenes::pattern_wall(scenes::ferris_wall(1), 0.65, 1e8), 0.64286, 0.85, 1.02);
+void check_wall(int number, double associative, double young_modulus) {
+  check_tilt("C01 wall " + std::to_string(number),
+             scenes::pattern_wall(scenes::ferris_wall(number), 0.65, young_modulus), associative, 0.85, 1.02);
 }
-TEST(DryWall, FallsWhereLimitAnalysisSaysWithAnOpeningToo) {
-  check_tilt("C01 wall 3", scenes::pattern_wall(scenes::ferris_wall(3), 0.65, 1e8), 0.40369, 0.85, 1.02);
+TEST(DryWall, FallsWhereLimitAnalysisSays) {
+  check_wall(1, 0.64286, 1e8);
+  check_wall(2, 0.58000, 1e8);
+}
+TEST(DryWall, FallsWhereLimitAnalysisSaysWithOpeningsToo) {
+  check_wall(3, 0.40369, 1e8);
+  // Slender, with openings: at 0.1 GPa it sways by more than counts as falling.
+  check_wall(5, 0.23964, 1e9);
 }
 
 TEST(SemicircularArch, NeedsTheThicknessThatItsFrictionAsks) {
