@@ -66,6 +66,10 @@ void add_body(Model& model, const Scene& scene, const Body& body) {
     properties.inertia *= *body.mass / properties.mass;
     properties.mass = *body.mass;
   }
+  if (body.inertia) {
+    require_positive(*body.inertia, body.name, "moment of inertia");
+    properties.inertia = *body.inertia;
+  }
   model.thickness.push_back(body.thickness);
   model.touchable.push_back(body.collides);
   model.mass.push_back(properties.mass);

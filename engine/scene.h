@@ -20,17 +20,18 @@ inline constexpr double standard_gravity = 9.80665;  // m/s2
 struct Body {
   std::string name;
   Shape shape;
-  Vec2 position;                // m, of the centroid
-  double angle = 0.0;           // rad
-  Vec2 velocity;                // m/s
-  double spin = 0.0;            // rad/s
-  std::size_t material = 0;     // index into Scene::materials
-  double thickness = 1.0;       // m, out of plane
-  std::optional<double> mass;   // kg; instead of density x area x thickness
-  double charge = 0.0;          // C
-  double linear_drag = 0.0;     // N s/m, force -c v at the centroid
-  double quadratic_drag = 0.0;  // N s2/m2, force -c |v| v
-  bool collides = true;         // false: a point mass that fields move and nothing touches
+  Vec2 position;                  // m, of the centroid
+  double angle = 0.0;             // rad
+  Vec2 velocity;                  // m/s
+  double spin = 0.0;              // rad/s
+  std::size_t material = 0;       // index into Scene::materials
+  double thickness = 1.0;         // m, out of plane
+  std::optional<double> mass;     // kg; instead of density x area x thickness
+  std::optional<double> inertia;  // kg m2, about the centroid; instead of that of the shape with its mass
+  double charge = 0.0;            // C
+  double linear_drag = 0.0;       // N s/m, force -c v at the centroid
+  double quadratic_drag = 0.0;    // N s2/m2, force -c |v| v
+  bool collides = true;           // false: a point mass that fields move and nothing touches
 };
 
 struct Terrain {

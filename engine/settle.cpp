@@ -13,9 +13,11 @@ double largest_translation(const Model& model, std::span<const double> a) {
   return largest;
 }
 
+/// Of the body that is furthest from where it was.
 void note_movement(const Model& model, const std::vector<double>& before, const State& state,
                    SettleReport& report) {
   const std::size_t n = model.body_count;
+  report.greatest_movement = 0.0;
   for (std::size_t i = 0; i < n; ++i) {
     const double movement = norm({state.y[i] - before[i], state.y[n + i] - before[n + i]});
     if (movement <= report.greatest_movement) continue;
@@ -52,12 +54,13 @@ SettleReport settle(const Model& model, State& state, const SettleOptions& optio
     report.unbalanced_ratio = largest_translation(model, sample.accelerations) / gravity;
     // At t = 0 nothing touches yet: free fall is unbalanced by 1.
     report.settled = sample.state.time > 0.0 && report.unbalanced_ratio < options.unbalanced_ratio;
-    return report.settled ? Wish::stop : Wish::go_on;
+    note_movement(model, before, sample.state, report);
+    const bool given_up = report.greatest_movement > options.longest_movement;
+    return report.settled || given_up ? Wish::stop : Wish::go_on;
   });
   report.outcome = run.outcome;
   report.detail = run.detail;
   report.duration = run.end_time;
-  note_movement(model, before, state, report);
   start_afresh(model, state);
   return report;
 }

@@ -4,6 +4,8 @@
 // unbalanced force is a small part of its weight. What is left of the speed is then taken off.
 #pragma once
 
+#include <limits>
+
 #include "engine/drive.h"
 
 namespace dougong::engine {
@@ -12,6 +14,8 @@ struct SettleOptions {
   double longest_time = 20.0;      // s, simulated
   double unbalanced_ratio = 1e-4;  // of the weight
   double local_damping = 0.8;      // Cundall's usual value
+  /// A body that has moved further has no equilibrium near by: it is given up (m).
+  double longest_movement = std::numeric_limits<double>::infinity();
 };
 
 struct SettleReport {

@@ -17,6 +17,8 @@ namespace {
 using engine::Vec2;
 
 constexpr double upright = 0.26;  // least vertical part of a supporting normal, cos 75 deg
+constexpr double inclined =
+    0.02;  // least vertical part of the normal at which a wedge is held, 1 deg off plumb
 
 std::string at(Vec2 place) {
   return fmt::format("at ({:.2f}, {:.2f}) m", place.x, place.y);
@@ -166,14 +168,26 @@ class Check {
   static std::size_t lower(const Touch& touch) { return touch.between.normal.y > 0.0 ? touch.b : touch.a; }
   static std::size_t upper(const Touch& touch) { return touch.between.normal.y > 0.0 ? touch.a : touch.b; }
 
-  /// Breadth first from the terrains upwards; what is never reached hangs in the air.
+  /// What is never reached from the terrains hangs in the air.
   void check_support() {
-    std::vector<std::vector<std::size_t>> carried(pieces_.size());
-    for (const Touch& touch : touches_)
-      if (bears(touch)) carried[lower(touch)].push_back(upper(touch));
     std::vector<bool> supported(pieces_.size(), false);
     std::deque<std::size_t> waiting;
     for (std::size_t i = blocks(); i < pieces_.size(); ++i) waiting.push_back(i);
+    do spread_upwards(supported, std::move(waiting));
+    while (!(waiting = wedged_row(supported)).empty());
+    for (std::size_t i = 0; i < blocks(); ++i)
+      if (!supported[i])
+        add(Severity::error,
+            fmt::format("{} hangs in the air: nothing below it leads to a terrain {}", pieces_[i].name,
+                        at(scene_.bodies[i].position)),
+            scene_.bodies[i].position);
+  }
+
+  /// Breadth first, from the lower to the upper of every bearing touch.
+  void spread_upwards(std::vector<bool>& supported, std::deque<std::size_t> waiting) const {
+    std::vector<std::vector<std::size_t>> carried(pieces_.size());
+    for (const Touch& touch : touches_)
+      if (bears(touch)) carried[lower(touch)].push_back(upper(touch));
     while (!waiting.empty()) {
       const std::size_t i = waiting.front();
       waiting.pop_front();
@@ -181,12 +195,42 @@ class Check {
       supported[i] = true;
       waiting.insert(waiting.end(), carried[i].begin(), carried[i].end());
     }
-    for (std::size_t i = 0; i < blocks(); ++i)
-      if (!supported[i])
-        add(Severity::error,
-            fmt::format("{} hangs in the air: nothing below it leads to a terrain {}", pieces_[i].name,
-                        at(scene_.bodies[i].position)),
-            scene_.bodies[i].position);
+  }
+
+  /// A row of unsupported blocks that touch over steep joints, as those near the crown of an arch do, and
+  /// lean to both sides on something supported below. Empty if there is none.
+  std::deque<std::size_t> wedged_row(const std::vector<bool>& supported) const {
+    std::vector<bool> seen = supported;
+    for (std::size_t i = 0; i < blocks(); ++i) {
+      if (seen[i]) continue;
+      const std::deque<std::size_t> row = row_of(i, seen);
+      if (leans(row, supported, 1.0) && leans(row, supported, -1.0)) return row;
+    }
+    return {};
+  }
+
+  std::deque<std::size_t> row_of(std::size_t first, std::vector<bool>& seen) const {
+    std::deque<std::size_t> row{first};
+    seen[first] = true;
+    for (std::size_t k = 0; k < row.size(); ++k)
+      for (const Touch& touch : touches_) {
+        if (touch.a != row[k] && touch.b != row[k]) continue;
+        const std::size_t other = touch.a == row[k] ? touch.b : touch.a;
+        if (other < blocks() && !seen[other]) seen[other] = true, row.push_back(other);
+      }
+    return row;
+  }
+
+  /// Whether something supported pushes a block of the row upwards and to the side of that sign.
+  bool leans(const std::deque<std::size_t>& row, const std::vector<bool>& supported, double side) const {
+    return std::ranges::any_of(touches_, [&](const Touch& touch) {
+      const auto held_by = [&](std::size_t block, std::size_t other, Vec2 push) {
+        return supported[other] && push.y > inclined && side * push.x > 0.0 &&
+               std::ranges::find(row, block) != row.end();
+      };
+      const Vec2 n = touch.between.normal;
+      return held_by(touch.a, touch.b, n) || held_by(touch.b, touch.a, -1.0 * n);
+    });
   }
 
   void check_balance() {
@@ -202,12 +246,21 @@ class Check {
       const Vec2 centre = scene_.bodies[i].position;
       const double beside = std::max(left[i] - centre.x, centre.x - right[i]);
       if (beside == none || beside <= options_.touch_tolerance) continue;
+      if (pushed_back(i, left[i] - centre.x > 0.0 ? 1.0 : -1.0)) continue;
       add(Severity::warning,
           fmt::format(
               "{} has its centre of mass {} beside its support {}: it topples at once unless it is held down",
               pieces_[i].name, millimetres(beside), at(centre)),
           centre);
     }
+  }
+
+  /// Whether a neighbour pushes it to the side of that sign, as the next voussoir of an arch does.
+  bool pushed_back(std::size_t block, double side) const {
+    return std::ranges::any_of(touches_, [&](const Touch& touch) {
+      const double push = side * touch.between.normal.x;
+      return (touch.a == block && push > upright) || (touch.b == block && -push > upright);
+    });
   }
 
   void check_ratios() {

@@ -78,6 +78,7 @@ constexpr Unit table[] = {
     {"GPa/m", areal_stiffness, 1e9, 1, 1e9, endless},
     {"J/m2", fracture_energy, 1, 1, 0, endless},
     {"N/m", fracture_energy, 1, 1},
+    {"kg m2", moment_of_inertia, 1, 1, 0, endless},
     {"V/m", electric_field, 1, 1, 0, 1e3},
     {"kV/m", electric_field, 1e3, 1, 1e3, endless},
     {"N/C", electric_field, 1, 1},
@@ -167,6 +168,8 @@ std::string_view name_of(Dimension dimension) {
       return "stiffness per area";
     case fracture_energy:
       return "energy per area";
+    case moment_of_inertia:
+      return "moment of inertia";
     case electric_field:
       return "electric field";
     case gravitational_constant:

@@ -33,6 +33,7 @@ enum class Dimension {
   rotational_stiffness,
   areal_stiffness,
   fracture_energy,
+  moment_of_inertia,
   electric_field,
   gravitational_constant,
   coulomb_constant,

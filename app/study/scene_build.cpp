@@ -272,6 +272,7 @@ class Builder {
     body.material = material_index(choice.material, "material");
     body.thickness = choice.thickness;
     body.mass = choice.mass;
+    body.inertia = choice.inertia;
     body.charge = choice.charge;
     body.linear_drag = choice.linear_drag;
     body.quadratic_drag = choice.quadratic_drag;

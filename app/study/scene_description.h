@@ -52,7 +52,7 @@ struct BodyChoice {
   std::string material = "concrete";
   engine::Vec2 velocity;  // m/s
   double spin = 0.0;      // rad/s
-  std::optional<double> mass;
+  std::optional<double> mass, inertia;
   double thickness = 1.0;
   double charge = 0.0;
   double linear_drag = 0.0, quadratic_drag = 0.0;

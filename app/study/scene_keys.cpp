@@ -79,6 +79,8 @@ std::vector<Key<BodyChoice>> body_keys() {
       value<B>("spin", AT(B, spin), Dimension::spin, "at the start, anticlockwise"),
       number<B>("mass", AT(B, mass), Dimension::mass, above_zero, endless,
                 "none: density times area times thickness"),
+      number<B>("inertia", AT(B, inertia), moment_of_inertia, above_zero, endless,
+                "about the centroid, as of a body with a bore; none: that of the shape with its mass"),
       number<B>("thickness", AT(B, thickness), length, above_zero, endless, "out of the plane"),
       value<B>("charge", AT(B, charge), Dimension::charge, "for fields.coulomb_constant and electric_field"),
       number<B>("linear_drag", AT(B, linear_drag), damping, 0, endless,

@@ -294,6 +294,8 @@ TEST(Model, RefusesWhatCannotBeSimulated) {
   };
   const double nan = std::numeric_limits<double>::quiet_NaN();
   refused([](Scene& s) { s.bodies[0].mass = 0.0; });
+  refused([](Scene& s) { s.bodies[0].inertia = 0.0; });
+  refused([&](Scene& s) { s.bodies[0].inertia = nan; });
   refused([](Scene& s) { s.bodies[0].thickness = -1.0; });
   refused([](Scene& s) { s.bodies[0].material = 1; });
   refused([](Scene& s) { s.materials[0].density = 0.0; });

@@ -56,6 +56,21 @@ TEST(Settle, ReportsABuildingWithoutSupport) {
   EXPECT_GT(report.greatest_movement, 0.5);
 }
 
+// Let go over nothing it falls at g at most, and at least at what local damping leaves of it.
+TEST(Settle, GivesUpWhatMovesAway) {
+  Scene s = scenes::scene(0.6);
+  s.bodies.push_back(scenes::block(0.5, 0.2, {0.0, 5.0}));
+  Running r(s);
+  SettleOptions options;
+  options.longest_movement = 0.1;
+  const SettleReport report = settle(r.model, r.state, options);
+  EXPECT_FALSE(report.settled);
+  EXPECT_GT(report.duration, std::sqrt(2.0 * 0.1 / 9.81));
+  EXPECT_LT(report.duration, std::sqrt(2.0 * 0.1 / (0.2 * 9.81)));
+  EXPECT_GT(report.greatest_movement, 0.1);
+  EXPECT_LT(report.greatest_movement, 0.12);
+}
+
 TEST(Settle, HasNothingToDoWithoutGravity) {
   Scene s = scenes::block_on_ground(0.5, 0.2, 0.6);
   s.gravity = {};

@@ -21,11 +21,12 @@ struct RockingHistory {
   double angle = 0.0, spin = 0.0;  // at the end, rad, rad/s
 };
 
-template <class Acceleration>
+/// A block is what has alpha(), p(), velocity_ratio() and g.
+template <class Block, class Acceleration>
 class DrivenRocking {
  public:
   /// `a` as a function of time, m/s2; `dt` should divide what is not smooth in it.
-  DrivenRocking(const RockingBlock& c, Acceleration a, double dt, double angle = 0.0, double spin = 0.0)
+  DrivenRocking(const Block& c, Acceleration a, double dt, double angle = 0.0, double spin = 0.0)
       : c_(c), a_(a), dt_(dt), alpha_(c.alpha()), p2_(c.p() * c.p()), now_{angle, spin} {
     side_ = angle + spin == 0.0 ? 0.0 : (angle + spin > 0.0 ? 1.0 : -1.0);
   }
@@ -110,7 +111,7 @@ class DrivenRocking {
   }
 
   static constexpr double right_angle = 0.5 * std::numbers::pi;
-  RockingBlock c_;
+  Block c_;
   Acceleration a_;
   double dt_, alpha_, p2_;
   Motion now_;

@@ -67,4 +67,30 @@ struct RockingBlock {
   }
 };
 
+/// A symmetric trapezium, wider at its foot: a drum or a whole tapered column. With R the distance of the
+/// centroid from a corner of the foot and I_o the moment of inertia about that corner (per mass),
+///   p^2 = g R/I_o,   tan(alpha) = (w/2)/y_c,   ratio 1 - 2 R^2 sin^2(alpha)/I_o
+/// as for a rectangle, whose I_o is 4/3 R^2: what keeps the angular momentum about the new corner.
+struct TaperedRockingBlock {
+  double foot, head, height, g;  // full widths, m
+
+  double centroid() const { return height / 3.0 * (foot + 2.0 * head) / (foot + head); }
+  /// Squared radius of gyration about the corner, by strips of the width w(y).
+  double corner_inertia() const {
+    const auto width = [&](double y) { return foot + (head - foot) * y / height; };
+    const auto strip = [&](double y) {
+      const double w = width(y);
+      return w * (w * w / 12.0 + 0.25 * foot * foot + y * y);
+    };
+    return integral(strip, 0.0, height) / integral(width, 0.0, height);
+  }
+  double radius_squared() const { return 0.25 * foot * foot + centroid() * centroid(); }
+  double alpha() const { return std::atan(0.5 * foot / centroid()); }
+  double p() const { return std::sqrt(g * std::sqrt(radius_squared()) / corner_inertia()); }
+  double velocity_ratio() const {
+    const double sine = std::sin(alpha());
+    return 1.0 - 2.0 * radius_squared() * sine * sine / corner_inertia();
+  }
+};
+
 }  // namespace dougong::oracles

@@ -14,12 +14,12 @@ struct Slip {
   double start, end, sense, place;
 };
 
-/// Ground acceleration A sin(w t): every slip is followed exactly from its start to the instant at
+/// Ground acceleration A sin(w t + phase): every slip is followed exactly from its start to the instant at
 /// which the speeds are equal again, found by bisection.
 class HarmonicSlider {
  public:
-  HarmonicSlider(double amplitude, double w, double friction_acceleration, double until)
-      : amplitude_(amplitude), w_(w), limit_(friction_acceleration) {
+  HarmonicSlider(double amplitude, double w, double friction_acceleration, double until, double phase = 0.0)
+      : amplitude_(amplitude), w_(w), limit_(friction_acceleration), phase_(phase) {
     double place = 0.0;
     for (Slip s = next_slip(0.0); s.start < until; s = next_slip(s.end)) {
       s.end = std::min(until, end_of_slip(s.start, s.sense));
@@ -29,7 +29,16 @@ class HarmonicSlider {
     }
   }
 
-  double first_slip() const { return std::asin(limit_ / amplitude_) / w_; }
+  double first_slip() const { return slips_.front().start; }
+  const std::vector<Slip>& slips() const { return slips_; }
+  /// Greatest speed of a slip: where the ground's acceleration has fallen to what friction can give.
+  double peak_speed(const Slip& s) const {
+    const auto gains = [&](double t) { return -s.sense * ground(t) > limit_; };
+    const double dt = 1e-3 / w_;
+    double t = s.start + dt;
+    while (gains(t + dt)) t += dt;
+    return std::abs(speed(s.start, last_time(gains, t, t + dt), s.sense));
+  }
   double displacement(double t) const {
     double u = 0.0;
     for (const Slip& s : slips_)
@@ -52,13 +61,14 @@ class HarmonicSlider {
   }
 
  private:
-  double ground(double t) const { return amplitude_ * std::sin(w_ * t); }
+  double ground(double t) const { return amplitude_ * std::sin(w_ * t + phase_); }
+  double cosine(double t) const { return std::cos(w_ * t + phase_); }
   double speed(double start, double t, double sense) const {
-    return amplitude_ / w_ * (std::cos(w_ * t) - std::cos(w_ * start)) - sense * limit_ * (t - start);
+    return amplitude_ / w_ * (cosine(t) - cosine(start)) - sense * limit_ * (t - start);
   }
   double travel(double start, double t, double sense) const {
     const double d = t - start;
-    return amplitude_ / w_ * ((std::sin(w_ * t) - std::sin(w_ * start)) / w_ - std::cos(w_ * start) * d) -
+    return ((ground(t) - ground(start)) / w_ - amplitude_ * cosine(start) * d) / w_ -
            0.5 * sense * limit_ * d * d;
   }
   template <class Holds>
@@ -86,7 +96,7 @@ class HarmonicSlider {
     return {t == from ? from : last_time(sticks, t - dt, t), 0.0, sense, 0.0};
   }
 
-  double amplitude_, w_, limit_;
+  double amplitude_, w_, limit_, phase_;
   std::vector<Slip> slips_;
 };
 

@@ -61,7 +61,7 @@ TEST_P(EveryLayout, PassesTheModelCheckWithoutAFinding) {
 
 TEST_P(EveryLayout, StandsOnAGroundWhoseTopIsAtZero) {
   const Building building = build_layout(GetParam());
-  ASSERT_EQ(building.scene.terrains.size(), 1u);
+  ASSERT_GE(building.scene.terrains.size(), 1u);
   const engine::Terrain& ground = building.scene.terrains.front();
   EXPECT_EQ(ground.name, "ground");
   engine::Body as_body;
@@ -249,6 +249,46 @@ TEST(Column, TapersToTheWidthAsked) {
   for (const engine::Vec2 v : last.vertices())
     if (v.y > top - 1e-9) head = std::max(head, v.x);
   EXPECT_NEAR(2.0 * head, 1.5, 1e-12);
+}
+
+// Straight-sided voussoirs: each is the triangle from the centre to its outer joints less the inner one, so
+// that together they have N/2 sin(e/N) (R2^2 - R1^2) of area.
+TEST(Arch, FillsItsPolygonWithVoussoirs) {
+  for (const auto& [voussoirs, embrace] : {std::pair{7.0, 2.0}, std::pair{24.0, M_PI}}) {
+    const Building building = build_layout(
+        "arch",
+        {{"voussoirs", voussoirs}, {"embrace_angle", embrace}, {"radius", 2.0}, {"ring_thickness", 0.4}});
+    double area = 0.0;
+    for (const engine::Body& body : building.scene.bodies) area += engine::area_properties(body.shape).area;
+    EXPECT_NEAR(area, 0.5 * voussoirs * std::sin(embrace / voussoirs) * (2.2 * 2.2 - 1.8 * 1.8), 1e-12);
+  }
+}
+
+TEST(Arch, StandsOnAbutmentsThatCarryItsSpringings) {
+  const Building building = build_layout(
+      "arch", {{"embrace_angle", 2.0}, {"abutment_height", 0.7}, {"radius", 2.0}, {"ring_thickness", 0.4}});
+  ASSERT_EQ(building.scene.terrains.size(), 3u);
+  engine::Body left;
+  left.shape = building.scene.terrains[1].shape;
+  left.position = building.scene.terrains[1].position;
+  const Box abutment = box_of(left), voussoir = box_of(building.scene.bodies.front());
+  EXPECT_NEAR(abutment.bottom, 0.0, 1e-12);
+  EXPECT_NEAR(voussoir.bottom, 0.7, 1e-12) << "the end of the intrados";
+  EXPECT_NEAR(abutment.top, 0.7 + 0.4 * std::cos(1.0), 1e-12) << "the end of the extrados";
+  EXPECT_NEAR(abutment.left, -2.2 * std::sin(1.0), 1e-12);
+  EXPECT_NEAR(abutment.right, -1.8 * std::sin(1.0), 1e-12);
+}
+
+TEST(Arch, TakesTheCrownAsTheLevel) {
+  EXPECT_EQ(build_layout("arch", {{"voussoirs", 15}}).storeys[0].level_blocks, std::vector<std::size_t>{7});
+  EXPECT_EQ(build_layout("arch", {{"voussoirs", 24}}).storeys[0].level_blocks,
+            (std::vector<std::size_t>{11, 12}));
+}
+
+TEST(Arch, RefusesInclinedSpringingsWithoutAbutments) {
+  EXPECT_THROW(build_layout("arch", {{"embrace_angle", 2.0}, {"abutment_height", 0.0}}), LayoutError);
+  EXPECT_THROW(build_layout("arch", {{"radius", 1.0}, {"ring_thickness", 1.1}}), LayoutError);
+  EXPECT_THROW(build_layout("arch", {{"radius", 6.0}}), LayoutError) << "wider than its ground";
 }
 
 TEST(BuildLayout, NamesTheNearestLayout) {

@@ -93,6 +93,25 @@ TEST(ModelCheck, DoesNotTakeASideFaceForASupport) {
               ElementsAre(error_saying("block b hangs in the air")));
 }
 
+TEST(ModelCheck, DoesNotTakeTwoSideFacesForASupport) {
+  EXPECT_THAT(Site().box("a", 0, 1, 1, 2).box("b", 1, 1.5, 1, 1).box("c", 2, 1, 1, 2).check(),
+              ElementsAre(error_saying("block b hangs in the air")));
+}
+
+TEST(ModelCheck, KnowsThatVoussoirsHoldEachOther) {
+  for (const double voussoirs : {9.0, 24.0, 99.0})
+    EXPECT_THAT(check_model(build_layout("arch", {{"voussoirs", voussoirs}})), IsEmpty()) << voussoirs;
+}
+
+TEST(ModelCheck, MissesTheVoussoirThatTheCrownLeansOn) {
+  Building arch = build_layout("arch", {{"voussoirs", 24}});
+  arch.scene.bodies.erase(arch.scene.bodies.begin() + 13);
+  arch.storeys.clear();
+  const auto findings = check_model(arch);
+  ASSERT_FALSE(findings.empty());
+  EXPECT_THAT(findings[0], error_saying("hangs in the air"));
+}
+
 TEST(ModelCheck, WarnsOfACentreOfMassBesideItsSupport) {
   EXPECT_THAT(Site().box("a", 0, 0.5, 1, 1).box("b", 0.6, 1.25, 1, 0.5).check(),
               ElementsAre(warning_saying("block b has its centre of mass 100 mm beside its support")));

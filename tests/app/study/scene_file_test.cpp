@@ -74,6 +74,7 @@ angle = "17 deg"
 velocity = ["-3 m/s", "12.3 mm/s"]
 spin = "33 rpm"
 mass = "1.7 t"
+inertia = "90 kg m2"
 charge = "2.5e-6 C"
 linear_drag = "3.1 N s/m"
 quadratic_drag = "0.7 kg/m"
@@ -205,7 +206,7 @@ class Bits {
       add(p.a), add(p.b), add(p.friction_coefficient), add(p.damping_ratio);
     for (const auto& b : scene.bodies) {
       add_placed(b);
-      add(b.velocity), add(b.mass);
+      add(b.velocity), add(b.mass), add(b.inertia);
       add({b.spin, b.thickness, b.charge, b.linear_drag, b.quadratic_drag});
     }
     for (const auto& t : scene.terrains) add_placed(t);
@@ -273,6 +274,7 @@ TEST(SceneFile, KeepsNumbersThatHaveNoShortDecimal) {
   d.bodies[0].shape.angle = std::nextafter(0.1, 1.0);
   d.bodies[0].velocity = {std::numeric_limits<double>::denorm_min(), -0.0};
   d.bodies[0].mass = 1e-30 / 7.0;
+  d.bodies[0].inertia = 1e3 / 7.0;
   d.head.gravity = engine::Vec2{1e-300, 6.02e23};
   EXPECT_EQ(Bits(scene_of(d)), Bits(scene_of(to_toml(d))));
 }
@@ -294,6 +296,7 @@ TEST(SceneFile, ReadsUnits) {
   EXPECT_DOUBLE_EQ(scene.gravity.y, -9.80665);
   EXPECT_DOUBLE_EQ(scene.bodies[0].spin, 33.0 * 2.0 * std::numbers::pi / 60.0);
   EXPECT_DOUBLE_EQ(*scene.bodies[0].mass, 1700.0);
+  EXPECT_DOUBLE_EQ(*scene.bodies[0].inertia, 90.0);
   EXPECT_DOUBLE_EQ(scene.bodies[0].charge, 2.5e-6);
   EXPECT_DOUBLE_EQ(scene.fields.electric_field.y, -1000.0);
   EXPECT_DOUBLE_EQ(scene.materials[0].density, 2900.0);
@@ -391,6 +394,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{ball + "position = [1, 2]\n", "found the bare number 1"},
         Wrong{ball + "velocity = [\"1 m/s\", \"2 m\"]\n", "m is a unit of length"},
         Wrong{ball + "mass = \"0 kg\"\n", "above 0 kg"},
+        Wrong{ball + "inertia = \"3 kg\"\n", "kg is a unit of mass"},
         Wrong{ball + "material = \"concret\"\n", "did you mean \"concrete\"?"},
         Wrong{ball + "name = 3\n", "expected a text in quotes"},
         Wrong{ball + "name = \"x\"\n" + ball + "name = \"x\"\n", "there already is a body \"x\""},

@@ -54,6 +54,17 @@ TEST(DiscOnASlope, RollsOrSlidesAsCoulombSays) {
   check_slope({35.0 * degree, 0.25, 0.7, 3.7});
 }
 
+// All of its mass at the rim: m R^2 in place of m R^2/2 leaves half of g sin(slope).
+TEST(DiscOnASlope, RollsAsItsMomentOfInertiaSays) {
+  const double slope = 20.0 * degree, radius = 0.3, g = 9.81, end = 1.5;
+  Scene s = disc_on_plane(0.5, radius, g, slope);
+  s.bodies[0].mass = 70.0;
+  s.bodies[0].inertia = 70.0 * radius * radius;
+  Running r(s);
+  r.run(run_for(end));
+  expect_relative("E05", "hoop, spin", 0.5 * g * std::sin(slope) * end / radius, -r.spin(), 0.005);
+}
+
 void check_thrown(const oracles::ThrownDisc& c) {
   Scene s = disc_on_plane(c.friction, c.radius, c.g, 0.0);
   s.bodies[0].velocity.x = c.speed, s.bodies[0].spin = -c.spin;

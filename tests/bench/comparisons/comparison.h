@@ -1,0 +1,33 @@
+// A comparison with a published table or measurement: the table that its page shows, and its figure.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "app/report/colour.h"
+#include "app/report/gnuplot.h"
+
+namespace dougong::comparisons {
+
+struct Comparison {
+  std::string table;  // Markdown
+  app::Figure figure;
+};
+
+Comparison dry_walls();       // C01
+Comparison arch_thickness();  // C02
+Comparison tilting_arch();    // C03
+Comparison drum_column();     // C04
+Comparison stick_slip();      // C09
+Comparison brick_array();     // M02
+
+/// Lines of numbers in columns of equal length, as gnuplot reads them. Keeps every `stride`-th line.
+std::string columns(const std::vector<std::vector<double>>& values, std::size_t stride = 1);
+
+/// What all figures have: light grid, no box.
+inline const std::string look =
+    "set grid lc rgb '#dddddd'\nset border 3 lc rgb '#555555'\nset tics nomirror\n"
+    "set key outside top center horizontal samplen 2 noenhanced\n";
+
+}  // namespace dougong::comparisons

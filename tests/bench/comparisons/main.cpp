@@ -1,0 +1,65 @@
+// comparisons CASE [FOLDER]: prints the table of a case, and draws its figure into the folder as PNG.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+
+#include "tests/bench/comparisons/comparison.h"
+
+namespace dougong::comparisons {
+
+std::string columns(const std::vector<std::vector<double>>& values, std::size_t stride) {
+  std::string out;
+  for (std::size_t i = 0; i < values.front().size(); i += stride) {
+    for (const auto& column : values) out += fmt::format("{:.6g} ", column[i]);
+    out += '\n';
+  }
+  return out;
+}
+
+namespace {
+
+struct Case {
+  const char* name;
+  const char* file;  // of its figure and its page
+  Comparison (*run)();
+};
+
+constexpr Case cases[] = {
+    {"C01", "c01-dry-walls", dry_walls},       {"C02", "c02-arch-thickness", arch_thickness},
+    {"C03", "c03-tilting-arch", tilting_arch}, {"C04", "c04-drum-column", drum_column},
+    {"C09", "c09-stick-slip", stick_slip},     {"M02", "m02-brick-array", brick_array},
+};
+
+int run(const Case& c, const std::filesystem::path& folder) {
+  const Comparison comparison = c.run();
+  std::fputs(comparison.table.c_str(), stdout);
+  std::ofstream(folder / (c.file + std::string(".png")), std::ios::binary)
+      << app::draw(comparison.figure).png;
+  return 0;
+}
+
+int usage() {
+  std::fputs("usage: comparisons CASE [FOLDER]; cases:", stderr);
+  for (const Case& c : cases) std::fprintf(stderr, " %s", c.name);
+  std::fputs("\n", stderr);
+  return 2;
+}
+
+}  // namespace
+}  // namespace dougong::comparisons
+
+int main(int count, char** arguments) {
+  using namespace dougong::comparisons;
+  if (count < 2) return usage();
+  try {
+    for (const Case& c : cases)
+      if (c.name == std::string(arguments[1])) return run(c, count > 2 ? arguments[2] : ".");
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+  return usage();
+}

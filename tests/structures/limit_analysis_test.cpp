@@ -1,0 +1,109 @@
+// Comparisons C01, C02 and C03 and validation cases L01 and L02: dry walls and arches against limit analysis.
+// docs/comparisons/c01-dry-walls.md, c02-arch-thickness.md, c03-tilting-arch.md.
+#include <gtest/gtest.h>
+
+#include "structures/collapse_multiplier.h"
+#include "tests/engine/reference.h"
+#include "tests/scenes/arches.h"
+#include "tests/scenes/pattern_wall.h"
+
+namespace dougong::structures {
+namespace {
+
+using dougong::testing::text;
+
+constexpr double hold_time = 5.0;  // s: a shorter look mistakes slow collapse for stability
+
+/// Raises the load in steps, each held until the blocks rest, and watches the last one.
+Trial raised_to(const engine::Scene& scene, double multiplier, engine::State& state, int steps) {
+  Trial trial;
+  for (int i = 1; i <= steps; ++i) {
+    TrialOptions options;
+    options.hold_time = i < steps ? 0.01 : hold_time;
+    const double part = multiplier * i / steps;
+    trial = hold(tilted(scene, part), state, options);
+    if (trial.result != TrialResult::stands) return trial;
+  }
+  return trial;
+}
+
+void expect(const std::string& name, TrialResult expected, const Trial& trial) {
+  std::printf("%s %s: moved %.3g m in %.3g s, kinetic energy %.2g J\n", name.c_str(),
+              to_string(trial.result).c_str(), trial.greatest_movement, trial.duration, trial.kinetic_energy);
+  EXPECT_EQ(to_string(trial.result), to_string(expected)) << name << " " << trial.detail;
+}
+
+/// Stands at `below` times the multiplier, falls at `above` times it.
+void check_tilt(const std::string& name, const engine::Scene& scene, double multiplier, double below,
+                double above) {
+  const engine::Model model = engine::compile(scene);
+  engine::State state = engine::initial_state(model, scene);
+  expect(name + " at " + text(below) + " of " + text(multiplier), TrialResult::stands,
+         raised_to(scene, below * multiplier, state, 4));
+  expect(name + " at " + text(above) + " of " + text(multiplier), TrialResult::falls,
+         hold(tilted(scene, above * multiplier), state));
+}
+
+void check_thickness(const std::string& name, const scenes::ArchCase& arch, double below, double above) {
+  for (const double part : {above, below}) {
+    scenes::ArchCase c = arch;
+    c.thickness_ratio *= part;
+    const engine::Scene scene = c.scene();
+    engine::State state = engine::initial_state(engine::compile(scene), scene);
+    expect(name + " t/R = " + text(part) + " of " + text(arch.thickness_ratio),
+           part > 1.0 ? TrialResult::stands : TrialResult::falls, hold(scene, state));
+  }
+}
+
+// The published limits are 15 % below the associative multiplier, and 2 % above it.
+void check_wall(int number, double associative, double young_modulus) {
+  check_tilt("C01 wall " + std::to_string(number),
+             scenes::pattern_wall(scenes::ferris_wall(number), 0.65, young_modulus), associative, 0.85, 1.02);
+}
+TEST(DryWall, FallsWhereLimitAnalysisSays) {
+  check_wall(1, 0.64286, 1e8);
+  check_wall(2, 0.58000, 1e8);
+}
+TEST(DryWall, FallsWhereLimitAnalysisSaysWithOpeningsToo) {
+  check_wall(3, 0.40369, 1e8);
+  // Slender, with openings: at 0.1 GPa it sways by more than counts as falling.
+  check_wall(5, 0.23964, 1e9);
+}
+
+TEST(SemicircularArch, NeedsTheThicknessThatItsFrictionAsks) {
+  const struct {
+    double friction, thickness_ratio, tolerance;
+  } table[] = {{0.325, 0.1782, 0.04},
+               {0.35, 0.1512, 0.04},
+               {0.375, 0.1260, 0.04},
+               {0.4, 0.10672, 0.02},
+               {0.6, 0.10672, 0.02}};
+  for (const auto& row : table)
+    check_thickness("C02 mu " + text(row.friction),
+                    scenes::semicircle_of_27(row.thickness_ratio, row.friction), 1.0 - row.tolerance,
+                    1.0 + row.tolerance);
+}
+TEST(SemicircularArch, SlidesAtAnyThicknessWithTooLittleFriction) {
+  for (const double thickness_ratio : {0.2, 0.35}) {
+    const engine::Scene scene = scenes::semicircle_of_27(thickness_ratio, 0.30).scene();
+    engine::State state = engine::initial_state(engine::compile(scene), scene);
+    expect("C02 mu 0.3 t/R = " + text(thickness_ratio), TrialResult::falls, hold(scene, state));
+  }
+}
+TEST(SemicircularArch, NeedsTheThicknessOfItsVoussoirs) {
+  check_thickness("L01 N = 12", {5.0, 0.104857, 12}, 0.98, 1.02);
+  check_thickness("L01 N = 24", {5.0, 0.107096, 24}, 0.98, 1.02);
+}
+
+TEST(TiltingArch, FallsAtThePublishedTilt) {
+  check_tilt("C03", scenes::tilting_arch(1e8).scene(), 0.30775, 0.99, 1.01);
+}
+TEST(TiltingArch, FallsWhereLimitAnalysisSaysForOtherArchesToo) {
+  const double embrace = 157.5 / 180.0 * std::numbers::pi;
+  check_tilt("L02 N = 7", scenes::ArchCase{10.0, 0.15, 7, embrace}.scene(), 0.37361, 0.97, 1.03);
+  check_tilt("L02 N = 7, mu 0.5", scenes::ArchCase{10.0, 0.15, 7, embrace, 0.5}.scene(), 0.36797, 0.97, 1.03);
+  check_tilt("L02 N = 24", scenes::ArchCase{5.0, 0.12, 24}.scene(), 0.047492, 0.97, 1.03);
+}
+
+}  // namespace
+}  // namespace dougong::structures
