@@ -8,10 +8,9 @@
 // kinetic energy of Verlet's method balances exactly,
 //     dT = that sum + h^2/8 (|F(n+1)|^2 - |F(n)|^2)/m   (the last term telescopes),
 // so that dashpots that start with a jump and linear springs make no error; what is left comes from springs
-// that close or open within a step. Kinetic, gravity, field and elastic energy are read off the state. Damping
-// is what dashpots and drag take, and what a contact that shrinks under load takes along. Friction is the
-// tangential work less what the friction springs store. The error is what numerics made or lost: nothing is
-// booked against it.
+// that close or open within a step. Kinetic, gravity, field and elastic energy are read off the state. What
+// drag takes is damping. Friction is the tangential work less what the friction springs store. The error is
+// what numerics made or lost: nothing is booked against it.
 #pragma once
 
 #include "engine/state.h"

@@ -177,7 +177,7 @@ void ContactSet::rebuild_pairs(const Model& model, std::span<const Frame> frames
 std::array<ContactSet::Memory, 2> ContactSet::memory_of(const ContactPoints& points, std::size_t first) {
   const auto one = [&](std::size_t i) {
     return Memory{points.history[i], points.past[i],
-                  points.rocking.empty() ? RockingDashpot{} : points.rocking[i], points.stiffness[i]};
+                  points.rocking.empty() ? RockingDashpot{} : points.rocking[i]};
   };
   return {one(first), one(first + 1)};
 }
@@ -217,7 +217,6 @@ void ContactSet::write_points(const Model& model, std::span<const Frame> frames,
       if (old.features[l].identity != feature.identity) continue;
       points.history[i] = kept[l].history, points.past[i] = kept[l].past;
       if (!points.rocking.empty()) points.rocking[i] = kept[l].rocking;
-      released_ += points.carry_on(i, frames, kept[l].law);
     }
   }
   if (!points.rocking.empty()) write_rocking(model, frames, pair);
@@ -275,7 +274,6 @@ bool ContactSet::refresh(const Model& model, std::span<const Frame> frames, Cont
     if (kept[k].history.open || norm(place(k) - old_place[k]) > 2.0 * pair.margin) continue;
     // Corner and edge may have changed sides: both the tangent and the motion turn round, so slip stays.
     points.history[pair.first_point + k] = history_with_slip(points, pair.first_point + k, frames, slip[k]);
-    points.shift_face(pair.first_point + k, kept[k].history.shift);
   }
   return true;
 }

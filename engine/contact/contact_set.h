@@ -6,8 +6,6 @@
 // pass on when one end of a contact changes hands between two coinciding corners.
 #pragma once
 
-#include <utility>
-
 #include "engine/collision/broad_phase.h"
 #include "engine/contact/contact_points.h"
 
@@ -52,9 +50,6 @@ class ContactSet {
   /// Sums the loads of the points over every body and terrain, in a fixed order.
   void gather(std::span<const PointLoad> loads, std::span<Vec2> forces, std::span<double> torques) const;
 
-  /// Energy that changes of length under load have taken from the springs since the last call (J).
-  double take_released() { return std::exchange(released_, 0.0); }
-
   ContactPoints points;
   const std::vector<ContactPair>& pairs() const { return pairs_; }
 
@@ -64,7 +59,6 @@ class ContactSet {
     PointHistory history;
     PointPast past;
     RockingDashpot rocking;
-    PointStiffness law;
   };
   static std::array<Memory, 2> memory_of(const ContactPoints& points, std::size_t first);
 
@@ -79,7 +73,6 @@ class ContactSet {
   void lay_out_points(const Model& model, std::span<const Frame> frames);
   void index_bodies(std::size_t bodies);
 
-  double released_ = 0.0;         // J
   double skin_ = 0.0;             // m
   double smallest_margin_ = 0.0;  // m
   bool rigid_ = false;
