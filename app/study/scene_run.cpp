@@ -11,6 +11,7 @@
 #include "app/study/scene_file.h"
 #include "app/study/scene_keys.h"
 #include "app/study/stopwatch.h"
+#include "engine/integrators/table.h"
 #include "structures/verdict.h"
 
 namespace dougong::app {
