@@ -118,6 +118,13 @@ Box model_bounds(const ModelSheet& model) {
   return box.low.x < box.high.x ? box : Box{{-1.0, 0.0}, {1.0, 1.0}};
 }
 
+Box stage(const ModelSheet& model) {
+  const Box own = model_bounds(model);
+  Box box = own.grown(debris_reach * std::max(own.width(), own.height()));
+  if (!model.free_scene) box.low.y = own.low.y;
+  return box;
+}
+
 Box run_bounds(const RunResult& run, const std::vector<std::size_t>& steps, double magnification) {
   const Box model = model_bounds(run.model);
   Box box = model;
@@ -128,7 +135,7 @@ Box run_bounds(const RunResult& run, const std::vector<std::size_t>& steps, doub
         include(box, outline);
     }
   }
-  return clipped(box, model.grown(debris_reach * std::max(model.width(), model.height())));
+  return clipped(box, stage(run.model));
 }
 
 Box framed(Box bounds) {

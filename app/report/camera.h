@@ -14,6 +14,7 @@ struct Box {
   engine::Vec2 low, high;
   double width() const { return high.x - low.x; }
   double height() const { return high.y - low.y; }
+  bool holds(engine::Vec2 p) const { return low.x <= p.x && p.x <= high.x && low.y <= p.y && p.y <= high.y; }
   double aspect() const { return width() / height(); }
   Box grown(double margin) const {
     return {{low.x - margin, low.y - margin}, {high.x + margin, high.y + margin}};
@@ -41,7 +42,10 @@ double moved(const structures::Trajectory& trajectory, std::size_t step, std::si
 /// Around the blocks as described, and the near terrain of a free scene; a metre around the origin without
 /// blocks.
 Box model_bounds(const ModelSheet& model);
-/// Around every block at these steps, debris included, up to 1.5 building sizes away.
+/// What a picture may show: up to 1.5 sizes around the blocks as described; of a building nothing below its
+/// foot, where what slid off the ground's end falls for ever.
+Box stage(const ModelSheet& model);
+/// Around every block at these steps, debris included, within the stage.
 Box run_bounds(const RunResult& run, const std::vector<std::size_t>& steps, double magnification);
 /// With room around and a strip of ground below.
 Box framed(Box bounds);

@@ -46,12 +46,16 @@ double size_of(const ModelSheet& model) {
   return std::max(box.height(), 0.3 * box.width());
 }
 
+// Of the blocks that are on the stage.
 double largest_movement(const RunResult& run, const std::vector<Frame>& frames) {
+  const Box shown = stage(run.model);
   double largest = 0.0;
   for (const Frame& frame : frames) {
     for (std::size_t i = 0; i < run.trajectory.blocks; ++i) {
       const double distance = moved(run.trajectory, frame.step, i);
-      if (std::isfinite(distance)) largest = std::max(largest, distance);
+      if (!std::isfinite(distance) || !shown.holds(pose_at(run.trajectory, frame.step, i, 1.0).position))
+        continue;
+      largest = std::max(largest, distance);
     }
   }
   return largest;
