@@ -63,6 +63,9 @@ struct Trajectory {
   }
 };
 
+/// Its first and its last output time alone; it must have one.
+Trajectory ends_of(const Trajectory& trajectory);
+
 struct Peak {
   double value = 0.0;  // signed
   double time = 0.0;   // s

@@ -122,8 +122,9 @@ class CollapseWatch {
     const double now = trajectory.times.back();
     if (!p_.scenario.solve.after_collapse) return false;
     if (!lost_at_ && now >= next_look_) {
-      lost_at_ = structures::total_loss(p_.building, trajectory, p_.scenario.loss);
-      next_look_ = now + 1.0;  // s; the whole trajectory is read
+      // The whole trajectory is read only when its ends tell that there is something to find.
+      if (loss_of(structures::ends_of(trajectory))) lost_at_ = loss_of(trajectory);
+      next_look_ = now + 1.0;  // s
     }
     return lost_at_ && now >= *lost_at_ + *p_.scenario.solve.after_collapse;
   }
@@ -133,6 +134,10 @@ class CollapseWatch {
   }
 
  private:
+  std::optional<double> loss_of(const structures::Trajectory& trajectory) const {
+    return structures::total_loss(p_.building, trajectory, p_.scenario.loss);
+  }
+
   const Preparation& p_;
   double next_look_ = 0.0;  // s
   std::optional<double> lost_at_;

@@ -164,7 +164,8 @@ inline PointForces touch(const PointStiffness& law, const PointGeometry& g, cons
   const PoseWeights w =
       was_open && step > 0.0 ? closing_weights(g.overlap, rate.overlap, step) : PoseWeights{};
   double spring = w.spring * law.normal * g.overlap;
-  double normal = std::max(0.0, spring + w.dashpot * law.normal_damping * rate.overlap);
+  double normal =
+      normal_force(w.spring * law.normal, w.dashpot * law.normal_damping, g.overlap, rate.overlap);
   const double limit = law.friction * normal;
   const double damping = w.dashpot * law.tangential_damping;
   const double wanted = law.tangential * g.slip + damping * rate.slip;

@@ -157,19 +157,23 @@ TEST(HalfPlane, CannotBeABody) {
   EXPECT_THROW(compile(s), std::invalid_argument);
 }
 
+Terrain ground_line(std::span<const Vec2> points) {
+  const PlacedCompound line = make_polyline_ground(points, 1.0);
+  Terrain terrain;
+  terrain.name = "ground line";
+  terrain.shape = line.compound;
+  terrain.position = line.centroid;
+  return terrain;
+}
+
 // The seams of a flat ground line are no steps: a block slides over them as over one long ground.
 TEST(GroundLine, HasNoStepsAtItsSeams) {
   std::vector<Vec2> points;
   for (int i = 0; i <= 40; ++i) points.push_back({-2.0 + 0.13 * i, 0.0});
-  const auto line = make_polyline_ground(points, 1.0);
   Scene seams = scenes::scene(0.3, 1e9), smooth = scenes::scene(0.3, 1e9);
   seams.bodies.push_back(scenes::block(0.25, 0.1, {-1.2, 0.1}));
   smooth.bodies = seams.bodies;
-  Terrain terrain;
-  terrain.name = "ground";
-  terrain.shape = line.compound;
-  terrain.position = line.centroid;
-  seams.terrains.push_back(terrain);
+  seams.terrains.push_back(ground_line(points));
   smooth.terrains.push_back(plane());
   Running a(seams), b(smooth);
   ASSERT_TRUE(settle(a.model, a.state).settled);
@@ -185,18 +189,13 @@ TEST(GroundLine, HasNoStepsAtItsSeams) {
 TEST(GroundLine, LetsADiscRollThroughAValley) {
   std::vector<Vec2> points;
   for (int i = -30; i <= 30; ++i) points.push_back({0.1 * i, 0.05 * 0.01 * i * i});
-  const auto line = make_polyline_ground(points, 1.0);
   Scene s = scenes::scene(0.8, 1e9);
   Body disc;
   disc.name = "disc";
   disc.shape = make_circle(0.4);
   disc.position = {-2.0, 0.2 + 0.42};
   s.bodies.push_back(disc);
-  Terrain terrain;
-  terrain.name = "valley";
-  terrain.shape = line.compound;
-  terrain.position = line.centroid;
-  s.terrains.push_back(terrain);
+  s.terrains.push_back(ground_line(points));
   Running r(s);
   double leftmost = 0.0, rightmost = 0.0;
   r.run(run_for(12.0), [&](const Sample& sample) {
@@ -214,15 +213,10 @@ TEST(GroundLine, LetsADiscRollThroughAValley) {
 void expect_speed_after_kink(double slope) {
   const Vec2 down{std::cos(slope), -std::sin(slope)}, up{std::sin(slope), std::cos(slope)};
   const Vec2 points[] = {-10.0 * down, {0.0, 0.0}, {10.0, 0.0}};
-  const auto line = make_polyline_ground(points, 1.0);
   Scene s = scenes::scene(0.0, 3e9);
   s.bodies.push_back(scenes::block(0.2, 0.1, 0.1 * up - 3.0 * down, -slope));
   s.bodies[0].velocity = 3.0 * down;
-  Terrain terrain;
-  terrain.name = "kink";
-  terrain.shape = line.compound;
-  terrain.position = line.centroid;
-  s.terrains.push_back(terrain);
+  s.terrains.push_back(ground_line(points));
   Running r(s);
   r.run(run_for(1.5));
   const double before = std::sqrt(9.0 + 2.0 * norm(s.gravity) * 3.0 * std::sin(slope));

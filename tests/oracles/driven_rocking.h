@@ -10,6 +10,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/oracles/bisection.h"
 #include "tests/oracles/rocking.h"
 
 namespace dougong::oracles {
@@ -58,16 +59,6 @@ class DrivenRocking {
     return {y.angle + h / 6.0 * (y.spin + 2.0 * (v2 + v3) + v4),
             y.spin + h / 6.0 * (a1 + 2.0 * (a2 + a3) + a4)};
   }
-  // The longest part of h for which `holds`, which it does at first.
-  template <class Holds>
-  static double last_time(Holds holds, double h) {
-    double low = 0.0, high = h;
-    for (int i = 0; i < 60; ++i) {
-      const double middle = 0.5 * (low + high);
-      (holds(middle) ? low : high) = middle;
-    }
-    return high;
-  }
 
   void advance(double t, double h) {
     for (int events = 0; h > 1e-14 && events < 20 && !history_.overturned; ++events) {
@@ -80,7 +71,7 @@ class DrivenRocking {
     const double limit = c_.g * std::tan(alpha_);
     const auto stands = [&](double x) { return std::abs(a_(t + x)) <= limit; };
     if (stands(h)) return h;
-    const double until = stands(0.0) ? last_time(stands, h) : 0.0;
+    const double until = stands(0.0) ? last_time(stands, 0.0, h).after : 0.0;
     side_ = a_(t + until) > 0.0 ? 1.0 : -1.0;
     if (history_.uplift_time < 0.0) history_.uplift_time = t + until;
     return until;
@@ -90,10 +81,10 @@ class DrivenRocking {
     Motion next = after(t, h);
     double passed = h;
     if (std::abs(next.angle) >= right_angle) {
-      passed = last_time([&](double x) { return std::abs(after(t, x).angle) < right_angle; }, h);
+      passed = last_time([&](double x) { return std::abs(after(t, x).angle) < right_angle; }, 0.0, h).after;
       history_.overturned = true, history_.overturning_time = t + passed;
     } else if (side_ * next.angle < 0.0) {
-      passed = last_time([&](double x) { return side_ * after(t, x).angle > 0.0; }, h);
+      passed = last_time([&](double x) { return side_ * after(t, x).angle > 0.0; }, 0.0, h).after;
       next = impact(after(t, passed));
     }
     now_ = next;

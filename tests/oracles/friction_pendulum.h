@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tests/oracles/bisection.h"
 #include "tests/oracles/record_sliding.h"
 
 namespace dougong::oracles {
@@ -41,20 +42,11 @@ class FrictionPendulum {
                  k3 = rate(0.5 * h, moved(k2, 0.5 * h)), k4 = rate(h, moved(k3, h));
     return moved({(k1.u + 2 * (k2.u + k3.u) + k4.u) / 6.0, (k1.v + 2 * (k2.v + k3.v) + k4.v) / 6.0}, h);
   }
-  template <class Holds>
-  static double last_time(Holds holds, double high) {
-    double low = 0.0;
-    for (int i = 0; i < 60; ++i) {
-      const double middle = 0.5 * (low + high);
-      (holds(middle) ? low : high) = middle;
-    }
-    return low;
-  }
 
   double rest(double t, double h) {
     const auto holds = [&](double x) { return std::abs(drive(t + x, now_.u)) <= limit_; };
     if (holds(h)) return h;
-    const double until = last_time(holds, h);
+    const double until = last_time(holds, 0.0, h).before;
     sense_ = drive(t + h, now_.u) > 0.0 ? 1.0 : -1.0;
     if (history_.first_slip < 0.0) history_.first_slip = t + until;
     ++history_.episodes;
@@ -62,7 +54,7 @@ class FrictionPendulum {
   }
   double slip(double t, double h) {
     const auto moves = [&](double x) { return x == 0.0 || sense_ * after(t, x).v > 0.0; };
-    const double until = moves(h) ? h : last_time(moves, h);
+    const double until = moves(h) ? h : last_time(moves, 0.0, h).before;
     const Motion next = after(t, until);
     history_.path += std::abs(next.u - now_.u);
     now_ = next;

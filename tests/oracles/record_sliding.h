@@ -10,6 +10,8 @@
 #include <cmath>
 #include <vector>
 
+#include "tests/oracles/bisection.h"
+
 namespace dougong::oracles {
 
 struct SlidingHistory {
@@ -60,7 +62,7 @@ struct RecordSlider {
     // Returns the time at rest; starts to slip if that is less than h.
     double rest(double t, double a, double h) {
       const auto holds = [&](double x) { return std::abs(drive(a + slope * x)) <= limit(a + slope * x); };
-      const double until = holds(h) ? h : last_time(holds, h);
+      const double until = holds(h) ? h : last_time(holds, 0.0, h).before;
       if (until == h) return h;
       sense = drive(a + slope * until) > 0.0 ? 1 : -1;
       if (history.first_slip < 0.0) history.first_slip = t + until;
@@ -71,7 +73,7 @@ struct RecordSlider {
       const double start = drive(a) - sense * limit(a), rate = (c.d1 - sense * c.friction * c.n1) * slope;
       const auto speed = [&](double x) { return v + start * x + 0.5 * rate * x * x; };
       const auto moves = [&](double x) { return sense * speed(x) > 0.0 || x == 0.0; };
-      const double until = moves(h) ? h : last_time(moves, h);
+      const double until = moves(h) ? h : last_time(moves, 0.0, h).before;
       const double way = v * until + 0.5 * start * until * until + rate * until * until * until / 6.0;
       s += way, v = speed(until);
       history.last = s, history.path += std::abs(way);
@@ -79,15 +81,6 @@ struct RecordSlider {
       history.greatest_speed = std::max(history.greatest_speed, std::abs(v));
       if (until < h) v = 0.0, sense = 0;
       return until;
-    }
-    template <class Holds>
-    static double last_time(Holds holds, double high) {
-      double low = 0.0;
-      for (int i = 0; i < 60; ++i) {
-        const double middle = 0.5 * (low + high);
-        (holds(middle) ? low : high) = middle;
-      }
-      return low;
     }
   };
 };

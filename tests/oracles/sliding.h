@@ -7,6 +7,8 @@
 #include <cmath>
 #include <vector>
 
+#include "tests/oracles/bisection.h"
+
 namespace dougong::oracles {
 
 /// One slip: its ends (s), its sense and the displacement relative to the ground at its start (m).
@@ -37,7 +39,7 @@ class HarmonicSlider {
     const double dt = 1e-3 / w_;
     double t = s.start + dt;
     while (gains(t + dt)) t += dt;
-    return std::abs(speed(s.start, last_time(gains, t, t + dt), s.sense));
+    return std::abs(speed(s.start, last_time(gains, t, t + dt).after, s.sense));
   }
   double displacement(double t) const {
     double u = 0.0;
@@ -71,20 +73,12 @@ class HarmonicSlider {
     return ((ground(t) - ground(start)) / w_ - amplitude_ * cosine(start) * d) / w_ -
            0.5 * sense * limit_ * d * d;
   }
-  template <class Holds>
-  static double last_time(Holds holds, double low, double high) {
-    for (int i = 0; i < 60; ++i) {
-      const double middle = 0.5 * (low + high);
-      (holds(middle) ? low : high) = middle;
-    }
-    return high;
-  }
   double end_of_slip(double start, double sense) const {
     const auto moves = [&](double t) { return sense * speed(start, t, sense) > 0.0; };
     const double dt = 1e-3 / w_;
     double t = start + 10.0 * dt;
     while (moves(t + dt)) t += dt;
-    return last_time(moves, t, t + dt);
+    return last_time(moves, t, t + dt).after;
   }
   /// The block slips at once if the ground outruns the friction, else when it next does.
   Slip next_slip(double from) const {
@@ -93,7 +87,7 @@ class HarmonicSlider {
     double t = from;
     while (sticks(t)) t += dt;
     const double sense = ground(t) > 0.0 ? -1.0 : 1.0;
-    return {t == from ? from : last_time(sticks, t - dt, t), 0.0, sense, 0.0};
+    return {t == from ? from : last_time(sticks, t - dt, t).after, 0.0, sense, 0.0};
   }
 
   double amplitude_, w_, limit_, phase_;

@@ -355,6 +355,9 @@ TEST(TotalLoss, IsWhenTheLastStoreyWent) {
     return t < (first ? 1.0 : 2.0) ? Pose{} : Pose{0.0, -5.0, 0.0};
   };
   EXPECT_NEAR(total_loss(script.building, script.trajectory()).value(), 2.0, 0.011);
+  const Trajectory ends = ends_of(script.trajectory());
+  EXPECT_THAT(ends.times, ::testing::ElementsAre(0.0, script.trajectory().times.back()));
+  EXPECT_EQ(total_loss(script.building, ends), ends.times.back()) << "no more is known between";
   script.block = [](const std::string& name, double) {
     return name.starts_with("S4") ? Pose{0.0, -5.0, 0.0} : Pose{};
   };
