@@ -162,7 +162,6 @@ class Runner {
     outcome_.smallest_step =
         std::min(outcome_.smallest_step, intervals_.base / static_cast<double>(divisions));
     countdown_ = 0;
-    if (!adaptive_) restart();  // an adaptive one keeps nothing that depends on this step
   }
 
   // Halves the step until it suits the contacts; returns the factor by which the divisions grew.
@@ -188,11 +187,12 @@ class Runner {
   bool update_contacts() {
     const auto frames = frames_of(model_, state_, options_.terrain_held_still);
     const bool changed = state_.contacts.update(model_, frames);
+    state_.work.contact_length += state_.contacts.take_length_work();
     countdown_ =
         state_.contacts.steps_until_update(model_, frames, intervals_.base / static_cast<double>(divisions_));
     // Many evaluations a step: looking at the contacts before each costs little.
     if (adaptive_) countdown_ = 1;
-    if (changed) restart();
+    if (changed && adaptive_) restart();
     return changed || runs_away(frames);
   }
 

@@ -94,9 +94,9 @@ std::string numbers_text(const RunResult& r) {
   return fmt::format(
       "energy error {} % of the input{}, deepest overlap {} % of a block, {} steps in {:.1f} s",
       significant(100.0 * r.energy.standing_error, 2),
-      r.response.first_loss_of_support ? fmt::format(" while it stood, {} % of the energy turned over in all",
-                                                     significant(100.0 * r.energy.relative_error, 2))
-                                       : "",
+      r.response.first_loss_of_support
+          ? fmt::format(" while it stood, {} % in all", significant(100.0 * r.energy.input_error, 2))
+          : "",
       significant(100.0 * r.numerics.deepest_overlap_ratio, 2), r.numerics.steps,
       r.reproducibility.wall_seconds);
 }

@@ -173,10 +173,20 @@ std::string overlap_words(const Numerics& n) {
 }
 
 std::string energy_error_words(const RunResult& run) {
-  return fmt::format("{} % of the input{}, {} % of the energy turned over",
-                     significant(100 * run.energy.standing_error, 2),
-                     run.response.first_loss_of_support ? " until the first block lost its support" : "",
-                     significant(100 * run.energy.relative_error, 2));
+  const EnergyHistory& e = run.energy;
+  const std::string standing = run.response.first_loss_of_support
+                                   ? significant(100 * e.standing_error, 2) +
+                                         " % of the input until the first block lost its support, "
+                                   : "";
+  return fmt::format("{}{} % of the input in all, {} % of the energy turned over", standing,
+                     significant(100 * e.input_error, 2), significant(100 * e.relative_error, 2));
+}
+
+std::string contact_length_words(const EnergyHistory& e) {
+  const double taken = e.contact_length.empty() ? 0.0 : e.contact_length.back();
+  const double share = e.largest_input > 0.0 ? 100 * taken / e.largest_input : 0.0;
+  return fmt::format("{} J lost with lengths of contact, {} % of the input", significant(taken, 2),
+                     significant(share, 2));
 }
 
 Html numerics_table(const RunResult& run) {
@@ -187,6 +197,7 @@ Html numerics_table(const RunResult& run) {
                 {"Step", significant(1e6 * n.step, 3) + " µs, " + step_share(n)},
                 {"Steps", std::to_string(n.steps) + ", " + plural(n.step_reductions, "reduction")},
                 {"Energy error", energy_error_words(run)},
+                {"Contact length", contact_length_words(run.energy)},
                 {"Deepest overlap", overlap_words(n)}});
 }
 

@@ -86,10 +86,12 @@ Json energy_part(const EnergyHistory& energy) {
           {"elastic", metric(last(energy.elastic), "J")},
           {"friction", metric(last(energy.friction), "J")},
           {"damping", metric(last(energy.damping), "J")},
+          {"contact_length", metric(last(energy.contact_length), "J")},
           {"error", metric(last(energy.error), "J")},
           {"largest_input", metric(energy.largest_input, "J")},
           {"relative_error", metric(energy.relative_error, "1")},
-          {"standing_error", metric(energy.standing_error, "1")}};
+          {"standing_error", metric(energy.standing_error, "1")},
+          {"input_error", metric(energy.input_error, "1")}};
 }
 
 Json numerics_part(const RunResult& run) {

@@ -103,14 +103,21 @@ structures::Verdict verdict_before_shaking(const Preparation& p) {
   return verdict;
 }
 
-double standing_error(const EnergyHistory& energy, const structures::Response& response) {
+// Greatest |error| over the greatest |input| of the first `count` samples.
+double input_error(const EnergyHistory& energy, std::size_t count) {
   double error = 0.0, input = 0.0;
-  for (std::size_t k = 0; k < response.times.size(); ++k) {
-    if (response.first_loss_of_support && response.times[k] > *response.first_loss_of_support) break;
+  for (std::size_t k = 0; k < count; ++k) {
     error = std::max(error, std::abs(energy.error[k]));
     input = std::max(input, std::abs(energy.input[k]));
   }
   return input > 0.0 ? error / input : 0.0;
+}
+
+double standing_error(const EnergyHistory& energy, const structures::Response& response) {
+  const auto& times = response.times;
+  if (!response.first_loss_of_support) return input_error(energy, times.size());
+  const auto lost = std::upper_bound(times.begin(), times.end(), *response.first_loss_of_support);
+  return input_error(energy, static_cast<std::size_t>(lost - times.begin()));
 }
 
 // Ends the run once every storey is lost and the debris has had its time.
@@ -185,6 +192,7 @@ RunResult execute(Preparation& p, const std::string& command, const ProgressObse
   result.trajectory = std::move(recorder.trajectory);
   result.energy = std::move(recorder.energies.energy);
   result.energy.standing_error = standing_error(result.energy, result.response);
+  result.energy.input_error = input_error(result.energy, result.energy.error.size());
   result.moments = moments_of(result);
   return result;
 }

@@ -95,7 +95,9 @@ inline void commit_point(ContactPoints& points, std::size_t i, const PointGeomet
   totals.tangential_work += 0.5 * (past.friction + f.friction) * slid;
   const double position = rebased_position(points, i, g, corner, edge);
   past = {g.overlap, position, f.dashpot, f.viscous, f.friction};
-  points.history[i].open = !(g.overlap > 0.0);
+  PointHistory& history = points.history[i];
+  history.open = !(g.overlap > 0.0);
+  if (history.shift > 0.0 && history.open) points.shift_face(i, std::max(g.overlap, -history.shift));
   points.history[i].anchor = position - returned_slip(g.slip, points.stiffness[i].tangential, f.limit);
 }
 
@@ -125,6 +127,29 @@ void ContactPoints::start(std::size_t i, std::span<const Frame> frames) {
   const PointGeometry g = geometry_of(*this, i, frames);
   past[i].overlap = g.overlap;
   past[i].position = rebased_position(*this, i, g, frames[corner_body[i]], frames[edge_body[i]]);
+}
+
+void ContactPoints::shift_face(std::size_t i, double change) {
+  history[i].shift += change, edge_offset[i].x -= change, past[i].overlap -= change;
+}
+
+// A length of contact that is gained bears nothing at first, and what bore nothing is lost first: the force
+// stays while the unstressed overlap can change in its place. Beyond that the lost part takes its force
+// along.
+double ContactPoints::carry_on(std::size_t i, std::span<const Frame> frames, const PointStiffness& before) {
+  PointHistory& h = history[i];
+  edge_offset[i].x -= h.shift;
+  const PointGeometry g = geometry_of(*this, i, frames);
+  if (g.overlap <= -h.shift) shift_face(i, -h.shift);
+  const PointStiffness& law = stiffness[i];
+  if (kind[i] != FeatureKind::corner_edge || h.open || g.overlap <= 0.0 || law.normal == before.normal)
+    return 0.0;
+  const double force = before.normal * g.overlap;
+  const double change = std::max(-h.shift, g.overlap - force / law.normal), overlap = g.overlap - change;
+  shift_face(i, change);
+  const double slip = law.normal * overlap / force * before.tangential * g.slip / law.tangential;
+  h.anchor = g.position - slip;
+  return 0.5 * (force * g.overlap - law.normal * overlap * overlap);
 }
 
 PointGeometry geometry_of(const ContactPoints& points, std::size_t i, std::span<const Frame> frames) {
@@ -203,7 +228,7 @@ ContactTotals contact_forces(ContactPoints& points, std::span<const Frame> frame
       loads[i] = {};
     if (!commit) continue;
     commit_point(points, i, g, f, corner, edge, totals);
-    const double ratio = g.overlap * points.inverse_width[i];
+    const double ratio = (g.overlap + points.history[i].shift) * points.inverse_width[i];
     if (ratio > totals.deepest_ratio) totals.deepest_ratio = ratio, totals.deepest_point = i;
   }
   add_rocking_couples(points, frames, commit, loads, totals);

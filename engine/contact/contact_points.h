@@ -24,6 +24,8 @@ struct PointHistory {
   // Round contacts only: direction of the line of centres and angles when anchor was committed.
   Vec2 direction{0.0, 1.0};
   double angle_corner = 0.0, angle_edge = 0.0;  // rad
+  /// Overlap that the spring does not feel (m): a contact that grows under load is born unstressed.
+  double shift = 0.0;
 };
 
 /// Where a point stood at the last committed poses and what it did there: the work of its forces since then
@@ -65,6 +67,11 @@ struct ContactPoints {
   std::size_t size() const { return kind.size(); }
   void resize(std::size_t n, bool with_rocking);
   void set(std::size_t i, const Feature& feature, const PointStiffness& law, double width);
+  /// Point i, set anew, goes on with its history: a closed spring keeps its force, unless it has become so
+  /// much softer that it cannot (contact_points.cpp). Returns the energy that the change of law takes (J).
+  double carry_on(std::size_t i, std::span<const Frame> frames, const PointStiffness& before);
+  /// Adds to the overlap that point i does not feel (m).
+  void shift_face(std::size_t i, double change);
   /// Forgets: point i stands where the frames say, and has done nothing yet.
   void start(std::size_t i, std::span<const Frame> frames);
 };

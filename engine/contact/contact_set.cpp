@@ -177,7 +177,7 @@ void ContactSet::rebuild_pairs(const Model& model, std::span<const Frame> frames
 std::array<ContactSet::Memory, 2> ContactSet::memory_of(const ContactPoints& points, std::size_t first) {
   const auto one = [&](std::size_t i) {
     return Memory{points.history[i], points.past[i],
-                  points.rocking.empty() ? RockingDashpot{} : points.rocking[i]};
+                  points.rocking.empty() ? RockingDashpot{} : points.rocking[i], points.stiffness[i]};
   };
   return {one(first), one(first + 1)};
 }
@@ -217,9 +217,20 @@ void ContactSet::write_points(const Model& model, std::span<const Frame> frames,
       if (old.features[l].identity != feature.identity) continue;
       points.history[i] = kept[l].history, points.past[i] = kept[l].past;
       if (!points.rocking.empty()) points.rocking[i] = kept[l].rocking;
+      length_work_ += points.carry_on(i, frames, kept[l].law);
     }
   }
   if (!points.rocking.empty()) write_rocking(model, frames, pair);
+}
+
+// A corner that slides in beside another's may overlap already: what it meets there bears nothing yet.
+void ContactSet::bear_unstressed(const Model& model, std::span<const Frame> frames, const ContactPair& pair) {
+  const Manifold& m = pair.manifold;
+  if (rigid_ || !running_ || m.length >= nominal_length(model, pair.bodies.a, pair.bodies.b)) return;
+  for (std::size_t i = pair.first_point; i < pair.first_point + m.count; ++i) {
+    if (points.kind[i] != FeatureKind::corner_edge || !points.history[i].open) continue;
+    points.shift_face(i, std::max(0.0, geometry_of(points, i, frames).overlap));
+  }
 }
 
 // A face with two corners can rock; the couple is found anew when the length of contact has changed.
@@ -274,7 +285,9 @@ bool ContactSet::refresh(const Model& model, std::span<const Frame> frames, Cont
     if (kept[k].history.open || norm(place(k) - old_place[k]) > 2.0 * pair.margin) continue;
     // Corner and edge may have changed sides: both the tangent and the motion turn round, so slip stays.
     points.history[pair.first_point + k] = history_with_slip(points, pair.first_point + k, frames, slip[k]);
+    points.shift_face(pair.first_point + k, kept[k].history.shift);
   }
+  bear_unstressed(model, frames, pair);
   return true;
 }
 
@@ -297,6 +310,7 @@ void ContactSet::lay_out_points(const Model& model, std::span<const Frame> frame
       write_points(model, frames, pair, pair.manifold, memory_of(old, old_first));
     } else {
       write_points(model, frames, pair, {}, {});
+      bear_unstressed(model, frames, pair);
     }
   }
   index_bodies(model.size());
@@ -337,6 +351,7 @@ bool ContactSet::update(const Model& model, std::span<const Frame> frames) {
     lay_out_points(model, frames);
   else if (changed)
     index_bodies(model.size());
+  running_ = true;
   return changed || activity_changed;
 }
 

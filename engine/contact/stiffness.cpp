@@ -1,5 +1,6 @@
 #include "engine/contact/stiffness.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -23,7 +24,7 @@ double normal_stiffness(const Model& model, const Manifold& manifold, Index a, I
     return std::numbers::pi / 4.0 * thickness / (plane_flexibility(model, a) + plane_flexibility(model, b));
   const double per_area =
       1.0 / (flexibility(model, a, manifold.depth_a) + flexibility(model, b, manifold.depth_b));
-  return per_area * thickness * 0.5 * manifold.length;
+  return per_area * thickness * 0.5 * std::max(manifold.length, nominal_length(model, a, b));
 }
 
 double tangential_ratio(const Model& model, Index a, Index b) {
@@ -56,6 +57,10 @@ Placement placement_of(std::span<const Frame> frames, const Feature& f) {
 }
 
 }  // namespace
+
+double nominal_length(const Model& model, Index a, Index b) {
+  return 0.5 * std::min(model.minimum_width[a], model.minimum_width[b]);
+}
 
 PointStiffness point_stiffness(const Model& model, std::span<const Frame> frames, const Manifold& manifold,
                                const Feature& feature, Index a, Index b) {

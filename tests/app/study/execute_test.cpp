@@ -31,7 +31,8 @@ TEST(Execute, TheEnergyErrorIsWhatTheColumnsLeaveOver) {
   Preparation p = prepared_drum();
   const EnergyHistory e = execute(p, "").energy;
   const auto balance = [&](std::size_t i) {
-    return e.kinetic[i] + e.gravity[i] + e.elastic[i] + e.friction[i] + e.damping[i] - e.input[i];
+    return e.kinetic[i] + e.gravity[i] + e.elastic[i] + e.friction[i] + e.damping[i] + e.contact_length[i] -
+           e.input[i];
   };
   for (std::size_t i = 0; i < e.error.size(); ++i) EXPECT_NEAR(e.error[i], balance(i) - balance(0), 1e-6);
   EXPECT_EQ(e.error.front(), 0.0);
@@ -61,6 +62,8 @@ TEST(Execute, TheStandingErrorIsMeasuredByTheInputUntilTheFirstLossOfSupport) {
   }
   EXPECT_DOUBLE_EQ(r.energy.standing_error, error / input);
   EXPECT_LT(r.energy.standing_error, 0.01);
+  EXPECT_GE(r.energy.input_error, r.energy.standing_error * input / r.energy.largest_input);
+  EXPECT_LT(r.energy.input_error, 0.02) << "gravity gives a hundred times the input";
   Preparation drum = prepared_drum();
   const RunResult stood = execute(drum, "");
   ASSERT_FALSE(stood.response.first_loss_of_support);

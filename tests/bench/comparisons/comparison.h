@@ -15,12 +15,15 @@ struct Comparison {
   app::Figure figure;
 };
 
-Comparison dry_walls();       // C01
-Comparison arch_thickness();  // C02
-Comparison tilting_arch();    // C03
-Comparison drum_column();     // C04
-Comparison stick_slip();      // C09
-Comparison brick_array();     // M02
+using Arguments = std::vector<std::string>;
+
+Comparison dry_walls();                                          // C01
+Comparison arch_thickness();                                     // C02
+Comparison tilting_arch();                                       // C03
+Comparison drum_column();                                        // C04
+Comparison stick_slip();                                         // C09
+Comparison brick_array();                                        // M02
+Comparison granite_boulder(const Arguments& motions_and_block);  // M01
 
 /// Lines of numbers in columns of equal length, as gnuplot reads them. Keeps every `stride`-th line.
 std::string columns(const std::vector<std::vector<double>>& values, std::size_t stride = 1);

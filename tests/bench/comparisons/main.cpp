@@ -1,6 +1,8 @@
-// comparisons CASE [FOLDER]: prints the table of a case, and draws its figure into the folder as PNG.
+// comparisons CASE [FOLDER [ARGUMENTS]]: prints the table of a case, and draws its figure into the folder as
+// PNG.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -24,17 +26,23 @@ namespace {
 struct Case {
   const char* name;
   const char* file;  // of its figure and its page
-  Comparison (*run)();
+  Comparison (*run)(const Arguments&);
 };
+
+template <Comparison (*without_arguments)()>
+Comparison plain(const Arguments&) {
+  return without_arguments();
+}
 
 constexpr Case cases[] = {
-    {"C01", "c01-dry-walls", dry_walls},       {"C02", "c02-arch-thickness", arch_thickness},
-    {"C03", "c03-tilting-arch", tilting_arch}, {"C04", "c04-drum-column", drum_column},
-    {"C09", "c09-stick-slip", stick_slip},     {"M02", "m02-brick-array", brick_array},
+    {"C01", "c01-dry-walls", plain<dry_walls>},       {"C02", "c02-arch-thickness", plain<arch_thickness>},
+    {"C03", "c03-tilting-arch", plain<tilting_arch>}, {"C04", "c04-drum-column", plain<drum_column>},
+    {"C09", "c09-stick-slip", plain<stick_slip>},     {"M01", "m01-granite-boulder", granite_boulder},
+    {"M02", "m02-brick-array", plain<brick_array>},
 };
 
-int run(const Case& c, const std::filesystem::path& folder) {
-  const Comparison comparison = c.run();
+int run(const Case& c, const std::filesystem::path& folder, const Arguments& more) {
+  const Comparison comparison = c.run(more);
   std::fputs(comparison.table.c_str(), stdout);
   std::ofstream(folder / (c.file + std::string(".png")), std::ios::binary)
       << app::draw(comparison.figure).png;
@@ -42,7 +50,7 @@ int run(const Case& c, const std::filesystem::path& folder) {
 }
 
 int usage() {
-  std::fputs("usage: comparisons CASE [FOLDER]; cases:", stderr);
+  std::fputs("usage: comparisons CASE [FOLDER [ARGUMENTS]]; cases:", stderr);
   for (const Case& c : cases) std::fprintf(stderr, " %s", c.name);
   std::fputs("\n", stderr);
   return 2;
@@ -56,7 +64,8 @@ int main(int count, char** arguments) {
   if (count < 2) return usage();
   try {
     for (const Case& c : cases)
-      if (c.name == std::string(arguments[1])) return run(c, count > 2 ? arguments[2] : ".");
+      if (c.name == std::string(arguments[1]))
+        return run(c, count > 2 ? arguments[2] : ".", {arguments + std::min(count, 3), arguments + count});
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 1;

@@ -47,6 +47,22 @@ TEST(PointStiffness, OnTerrainIsTheBlocksOwnColumn) {
   }
 }
 
+// The upper block, 0.3 m high, stands over the lower one's end by `length`.
+double stiffness_with_length(double length) {
+  Scene s = scenes::scene(0.6);
+  s.bodies = {scenes::block(0.5, 0.2, {0.0, 0.2}), scenes::block(0.5, 0.15, {1.0 - length, 0.55})};
+  const Running r(s);
+  return r.state.contacts.points.stiffness.at(0).normal;
+}
+
+TEST(PointStiffness, OfTwoCornersIsThatOfHalfAWidth) {
+  const double per_length = 30e9 / 0.35 / 2.0, width = 0.3;
+  for (const double length : {0.15, 0.16, 0.5, 0.9})
+    EXPECT_NEAR(stiffness_with_length(length) / per_length, length, 1e-9) << length;
+  for (const double length : {1e-6, 0.01, 0.149})
+    EXPECT_NEAR(stiffness_with_length(length) / per_length, 0.5 * width, 1e-9) << length;
+}
+
 TEST(PointStiffness, OfADiscIsJohnsonsLine) {
   Scene s = scenes::scene(0.6, 30e9);
   Body disc = scenes::block(0.3, 0.3, {0.0, 0.3});

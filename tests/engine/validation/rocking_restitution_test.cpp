@@ -32,7 +32,7 @@ void expect_ratio(const std::string& experiment, const RockingBlock& c, double y
                   double tolerance) {
   Running r(block_that_loses(c, young_modulus));
   auto options = run_for(6.0, 2e-4);
-  options.step_fraction = 0.25;
+  options.step_fraction = 0.125;
   const auto impacts = measured_impacts(r, options, 4);
   ASSERT_EQ(impacts.size(), 4u);
   double amplitude = 0.5 * c.alpha();
