@@ -58,7 +58,7 @@ Comparison dry_walls() {
       "associative |\n"
       "|---|---|---|---|---|---|---|\n";
   app::Figure& figure = comparison.figure;
-  figure.height = 420;
+  figure.height = 330;
   figure.script =
       look + "set size ratio -1\nunset key\nset xtics 0.4\nset ytics 0.7\nset multiplot layout 1,4\n";
   for (const Row& row : rows) {
