@@ -95,7 +95,7 @@ struct ColumnRun {
 /// It has collapsed when the top block has sunk by half the width of the foot: no rocking column, however it
 /// leans without falling, sinks as far.
 inline ColumnRun run_column(const DrumColumn& c, const DoublePulse& pulse, double quiet_time,
-                            double step_fraction = 0.5) {
+                            double step_fraction = 0.25) {
   Running r(drum_column(c, pulse));
   ColumnRun run;
   if (!engine::settle(r.model, r.state).settled) return {false, true, 0.0, "does not settle"};
@@ -117,7 +117,7 @@ inline ColumnRun run_column(const DrumColumn& c, const DoublePulse& pulse, doubl
 /// `step` (a narrower range of collapse is missed), then bisected to a tenth of that (m/s2). Infinite if it
 /// stands up to `to`.
 inline double least_collapse(const DrumColumn& c, double duration, double from, double to, double step = 0.02,
-                             double quiet_time = 6.0, double step_fraction = 0.5) {
+                             double quiet_time = 6.0, double step_fraction = 0.25) {
   const auto collapses = [&](double a) {
     return run_column(c, {a, duration}, quiet_time, step_fraction).collapsed;
   };

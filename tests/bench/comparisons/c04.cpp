@@ -10,7 +10,7 @@ namespace {
 constexpr double g = 9.81;
 
 struct Variant {
-  double friction = 0.7, damping_ratio = 0.0, quiet_time = 6.0, step_fraction = 0.5;
+  double friction = 0.7, damping_ratio = 0.0, quiet_time = 6.0, step_fraction = 0.25;
 };
 
 double least(double duration, const Variant& v = {}) {
@@ -26,8 +26,8 @@ std::string variants() {
       "| t_p (s) | as above | half the step | watched 12 s | damping ratio 0.1 |\n|---|---|---|---|---|\n";
   for (const double t : {0.35, 0.5})
     out += fmt::format("| {:.2f} | {:.3f} | {:.3f} | {:.3f} | {:.3f} |\n", t, least(t),
-                       least(t, {0.7, 0.0, 6.0, 0.25}), least(t, {0.7, 0.0, 12.0, 0.5}),
-                       least(t, {0.7, 0.1, 6.0, 0.5}));
+                       least(t, {0.7, 0.0, 6.0, 0.125}), least(t, {0.7, 0.0, 12.0, 0.25}),
+                       least(t, {0.7, 0.1, 6.0, 0.25}));
   return out;
 }
 

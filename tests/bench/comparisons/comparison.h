@@ -22,7 +22,7 @@ Comparison arch_thickness();                                     // C02
 Comparison tilting_arch();                                       // C03
 Comparison drum_column();                                        // C04
 Comparison stick_slip();                                         // C09
-Comparison brick_array();                                        // M02
+Comparison brick_array(const Arguments& rate_and_restitution);   // M02
 Comparison granite_boulder(const Arguments& motions_and_block);  // M01
 
 /// Lines of numbers in columns of equal length, as gnuplot reads them. Keeps every `stride`-th line.
