@@ -185,7 +185,7 @@ std::string energy_error_words(const RunResult& run) {
 std::string contact_length_words(const EnergyHistory& e) {
   const double taken = e.contact_length.empty() ? 0.0 : e.contact_length.back();
   const double share = e.largest_input > 0.0 ? 100 * taken / e.largest_input : 0.0;
-  return fmt::format("{} J lost with lengths of contact, {} % of the input", significant(taken, 2),
+  return fmt::format("{} J taken where lengths changed under load, {} % of the input", significant(taken, 2),
                      significant(share, 2));
 }
 
