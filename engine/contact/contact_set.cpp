@@ -226,7 +226,8 @@ void ContactSet::write_points(const Model& model, std::span<const Frame> frames,
 // A corner that slides in beside another's may overlap already: what it meets there bears nothing yet.
 void ContactSet::bear_unstressed(const Model& model, std::span<const Frame> frames, const ContactPair& pair) {
   const Manifold& m = pair.manifold;
-  if (rigid_ || !running_ || m.length >= nominal_length(model, pair.bodies.a, pair.bodies.b)) return;
+  const bool short_face = m.length > 0.0 && m.length < nominal_length(model, pair.bodies.a, pair.bodies.b);
+  if (rigid_ || !running_ || !short_face) return;
   for (std::size_t i = pair.first_point; i < pair.first_point + m.count; ++i) {
     if (points.kind[i] != FeatureKind::corner_edge || !points.history[i].open) continue;
     points.shift_face(i, std::max(0.0, geometry_of(points, i, frames).overlap));
