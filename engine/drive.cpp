@@ -187,7 +187,6 @@ class Runner {
   bool update_contacts() {
     const auto frames = frames_of(model_, state_, options_.terrain_held_still);
     const bool changed = state_.contacts.update(model_, frames);
-    state_.work.contact_length += state_.contacts.take_length_work();
     countdown_ =
         state_.contacts.steps_until_update(model_, frames, intervals_.base / static_cast<double>(divisions_));
     // Many evaluations a step: looking at the contacts before each costs little.

@@ -36,7 +36,6 @@ Energies energies_of(const Model& model, const State& state) {
   e.elastic = stored.normal + stored.tangential + in_bonds + joint_energy(model, frames);
   e.input = state.work.input;
   e.damping = state.work.damping;
-  e.contact_length = state.work.contact_length;
   e.friction = state.work.tangential - stored.tangential;
   e.fracture = state.work.bonds - in_bonds;
   return e;

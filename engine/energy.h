@@ -1,6 +1,6 @@
 // The energy ledger of a scene (J).
 //
-//   error = (kinetic + gravity + field + elastic + friction + fracture + contact length + damping - input)
+//   error = (kinetic + gravity + field + elastic + friction + fracture + damping - input)
 //           - (the same at the start)
 //
 // input, damping and the tangential work are cumulated by the integrator: those with one evaluation a step
@@ -9,9 +9,8 @@
 //     dT = that sum + h^2/8 (|F(n+1)|^2 - |F(n)|^2)/m   (the last term telescopes),
 // so that dashpots that start with a jump and linear springs make no error; what is left comes from springs
 // that close or open within a step. Kinetic, gravity, field and elastic energy are read off the state. What
-// drag takes is damping. Friction is the tangential work less what the friction springs store. Contact
-// length is what contacts lose when their length changes under load (contact_points.cpp). The error is what
-// numerics made or lost: nothing else is booked against it.
+// drag takes is damping. Friction is the tangential work less what the friction springs store. The error is
+// what numerics made or lost: nothing is booked against it.
 #pragma once
 
 #include "engine/state.h"
@@ -20,12 +19,11 @@ namespace dougong::engine {
 
 struct Energies {
   double input = 0.0, kinetic = 0.0, gravity = 0.0, elastic = 0.0, friction = 0.0, damping = 0.0;
-  double field = 0.0;           // of gravitation, charges and the electric field
-  double fracture = 0.0;        // lost in bonds: broken, yielded, rubbed
-  double contact_length = 0.0;  // taken from contacts whose length changed under load
-  double terms = 0.0;           // of all bodies in gravity, without signs: what rounding is measured by
+  double field = 0.0;     // of gravitation, charges and the electric field
+  double fracture = 0.0;  // lost in bonds: broken, yielded, rubbed
+  double terms = 0.0;     // of all bodies in gravity, without signs: what rounding is measured by
   double balance() const {
-    return kinetic + gravity + field + elastic + friction + fracture + contact_length + damping - input;
+    return kinetic + gravity + field + elastic + friction + fracture + damping - input;
   }
 };
 

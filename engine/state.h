@@ -11,9 +11,8 @@ namespace dougong::engine {
 
 /// Work since the start of the run (J), cumulated by the integrator.
 struct Work {
-  double input = 0.0;           // done by the moving terrain on the bodies
-  double damping = 0.0;         // taken by the dashpots
-  double contact_length = 0.0;  // taken from contacts whose length changed under load
+  double input = 0.0;       // done by the moving terrain on the bodies
+  double damping = 0.0;     // taken by the dashpots
   double tangential = 0.0;  // taken by the tangential forces less their dashpots: stored slip and friction
   double bonds = 0.0;       // taken by the springs of bonds: stored, and lost to fracture, yield and friction
 };

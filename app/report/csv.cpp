@@ -81,15 +81,10 @@ std::string roof_and_base_shear_csv(const RunResult& run) {
 
 std::string energy_csv(const RunResult& run) {
   const EnergyHistory& e = run.energy;
-  std::vector<Column> columns{numbers("time (s)", run.trajectory.times),
-                              numbers("input (J)", e.input),
-                              numbers("kinetic (J)", e.kinetic),
-                              numbers("gravity (J)", e.gravity),
-                              numbers("elastic (J)", e.elastic),
-                              numbers("friction (J)", e.friction),
-                              numbers("damping (J)", e.damping),
-                              numbers("contact length (J)", e.contact_length),
-                              numbers("error (J)", e.error)};
+  std::vector<Column> columns{numbers("time (s)", run.trajectory.times), numbers("input (J)", e.input),
+                              numbers("kinetic (J)", e.kinetic),         numbers("gravity (J)", e.gravity),
+                              numbers("elastic (J)", e.elastic),         numbers("friction (J)", e.friction),
+                              numbers("damping (J)", e.damping),         numbers("error (J)", e.error)};
   if (run.model.bonds > 0) columns.insert(columns.end() - 1, numbers("fracture (J)", e.fracture));
   return table(columns, run.trajectory.times.size());
 }

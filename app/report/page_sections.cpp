@@ -182,13 +182,6 @@ std::string energy_error_words(const RunResult& run) {
                      significant(100 * e.input_error, 2), significant(100 * e.relative_error, 2));
 }
 
-std::string contact_length_words(const EnergyHistory& e) {
-  const double taken = e.contact_length.empty() ? 0.0 : e.contact_length.back();
-  const double share = e.largest_input > 0.0 ? 100 * taken / e.largest_input : 0.0;
-  return fmt::format("{} J taken where lengths changed under load, {} % of the input", significant(taken, 2),
-                     significant(share, 2));
-}
-
 Html numerics_table(const RunResult& run) {
   const Numerics& n = run.numerics;
   return table("", {{"Quantity", "", false}, {"Value", "", false}},
@@ -197,7 +190,6 @@ Html numerics_table(const RunResult& run) {
                 {"Step", significant(1e6 * n.step, 3) + " µs, " + step_share(n)},
                 {"Steps", std::to_string(n.steps) + ", " + plural(n.step_reductions, "reduction")},
                 {"Energy error", energy_error_words(run)},
-                {"Contact length", contact_length_words(run.energy)},
                 {"Deepest overlap", overlap_words(n)}});
 }
 

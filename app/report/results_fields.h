@@ -147,7 +147,6 @@ void walk_energy(A& a, R& energy) {
   a.field("elastic", "J", energy.elastic);
   a.field("friction", "J", energy.friction);
   a.field("damping", "J", energy.damping);
-  a.field("contact_length", "J", energy.contact_length);
   a.field("error", "J", energy.error);
   a.field("largest_input", "J", energy.largest_input);
   a.field("relative_error", "1", energy.relative_error);

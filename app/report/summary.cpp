@@ -86,7 +86,6 @@ Json energy_part(const EnergyHistory& energy) {
           {"elastic", metric(last(energy.elastic), "J")},
           {"friction", metric(last(energy.friction), "J")},
           {"damping", metric(last(energy.damping), "J")},
-          {"contact_length", metric(last(energy.contact_length), "J")},
           {"error", metric(last(energy.error), "J")},
           {"largest_input", metric(energy.largest_input, "J")},
           {"relative_error", metric(energy.relative_error, "1")},

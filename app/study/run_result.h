@@ -82,9 +82,9 @@ struct MotionSheet {
 };
 
 /// Cumulated energies (J), one entry an output time. error = kinetic + gravity + elastic + friction
-/// + contact_length + damping - input - (their sum at the start).
+/// + damping - input - (their sum at the start).
 struct EnergyHistory {
-  std::vector<double> input, kinetic, gravity, elastic, friction, damping, contact_length, error;
+  std::vector<double> input, kinetic, gravity, elastic, friction, damping, error;
   std::vector<double> fracture;  // lost in bonds; empty in a results file that knows no bonds
   double largest_input = 0.0;    // J, greatest |input|
   /// Greatest |error| over the energy turned over: the greatest sum of |input| and of what gravity gave. A

@@ -116,15 +116,10 @@ Reproducibility reproducibility_of(const std::string& text, const std::string& r
 void EnergyRecorder::note(const engine::Model& model, const engine::State& state) {
   const engine::Energies e = engine::energies_of(model, state);
   turnover_.note(e);
-  const std::pair<std::vector<double>*, double> columns[] = {{&energy.input, e.input},
-                                                             {&energy.kinetic, e.kinetic},
-                                                             {&energy.gravity, e.gravity},
-                                                             {&energy.elastic, e.elastic},
-                                                             {&energy.friction, e.friction},
-                                                             {&energy.damping, e.damping},
-                                                             {&energy.error, turnover_.error()},
-                                                             {&energy.fracture, e.fracture},
-                                                             {&energy.contact_length, e.contact_length}};
+  const std::pair<std::vector<double>*, double> columns[] = {
+      {&energy.input, e.input},           {&energy.kinetic, e.kinetic},   {&energy.gravity, e.gravity},
+      {&energy.elastic, e.elastic},       {&energy.friction, e.friction}, {&energy.damping, e.damping},
+      {&energy.error, turnover_.error()}, {&energy.fracture, e.fracture}};
   for (const auto& [column, value] : columns) column->push_back(value);
   energy.largest_input = std::max(energy.largest_input, std::abs(e.input));
   energy.relative_error = turnover_.relative_error();
@@ -133,8 +128,7 @@ void EnergyRecorder::note(const engine::Model& model, const engine::State& state
 double deepest_overlap_ratio(const engine::ContactPoints& points, std::span<const engine::Frame> frames) {
   double deepest = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i)
-    deepest = std::max(deepest, (engine::geometry_of(points, i, frames).overlap + points.history[i].shift) *
-                                    points.inverse_width[i]);
+    deepest = std::max(deepest, engine::geometry_of(points, i, frames).overlap * points.inverse_width[i]);
   return deepest;
 }
 

@@ -47,20 +47,32 @@ double separation_of(const Pair& pair, ReferenceEdge r) {
                           polygon_of(pair.model, other), pair.frame(other));
 }
 
-// The axis of greatest separation; the previous one if it is within a tenth of the margin of it.
+Vec2 normal_of(const Pair& pair, ReferenceEdge r) {
+  return pair.frame(r.owner).turned_to_world(polygon_of(pair.model, r.owner).normal(r.edge));
+}
+
+// How much worse one axis may be than another and still count as good: a tenth of the margin if they are
+// parallel, as those of two faces that lie on each other; nothing if one turns across, where a corner passes
+// another.
+double tie_of(const Pair& pair, ReferenceEdge one, ReferenceEdge other) {
+  const double parallel = dot(normal_of(pair, one), normal_of(pair, other));
+  return 0.1 * pair.margin * parallel * parallel;
+}
+
+// The axis of greatest separation, or the previous one if that is as good.
 ReferenceEdge choose_reference(const Pair& pair, double& separation) {
   const auto& pa = polygon_of(pair.model, pair.a);
   const auto& pb = polygon_of(pair.model, pair.b);
   const Frame &fa = pair.frame(pair.a), &fb = pair.frame(pair.b);
   const Axis best_a = greatest_separation(pa, fa, pb, fb);
   const Axis best_b = greatest_separation(pb, fb, pa, fa);
-  const double tie = 0.1 * pair.margin;
   separation = std::max(best_a.separation, best_b.separation);
+  const ReferenceEdge of_a{pair.a, best_a.edge, true}, of_b{pair.b, best_b.edge, true};
+  const ReferenceEdge best = best_b.outer > best_a.outer + tie_of(pair, of_a, of_b) ? of_b : of_a;
+  const ReferenceEdge previous = pair.previous.reference;
   const double outer = std::max(best_a.outer, best_b.outer);
-  if (pair.previous.reference.known && separation_of(pair, pair.previous.reference) > outer - tie)
-    return pair.previous.reference;
-  if (best_b.outer > best_a.outer + tie) return {pair.b, best_b.edge, true};
-  return {pair.a, best_a.edge, true};
+  const bool kept = previous.known && separation_of(pair, previous) > outer - tie_of(pair, previous, best);
+  return kept ? previous : best;
 }
 
 Index facing_edge(const ConvexPolygon& polygon, Vec2 local_direction) {
@@ -97,6 +109,12 @@ Feature end_feature(const Pair& pair, const Feature& reference_corner, const Fea
   return reference_is_further_in_by > 0.0 ? reference_corner : incident_corner;
 }
 
+// Whether the piece beyond this end of the edge continues its face, or bends it.
+bool is_seam(const ConvexPolygon& polygon, Index edge, bool at_end) {
+  const auto size = static_cast<Index>(polygon.size());
+  return polygon.is_inner((edge + (at_end ? 1 : size - 1)) % size);
+}
+
 Manifold clip(const Pair& pair, ReferenceEdge reference) {
   const Index owner = reference.owner, other = pair.other(owner);
   const auto& ref = polygon_of(pair.model, owner);
@@ -118,6 +136,9 @@ Manifold clip(const Pair& pair, ReferenceEdge reference) {
   m.length = std::min(ref_high, inc_high) - std::max(ref_low, inc_low);
   if (m.length <= 0.0) return m;
   m.count = 2;
+  // The incident edge runs against the tangent: its end is the low one.
+  m.at_seam = (ref_low > inc_low ? is_seam(ref, reference.edge, false) : is_seam(inc, incident, true)) ||
+              (ref_high < inc_high ? is_seam(ref, reference.edge, true) : is_seam(inc, incident, false));
   m.features[0] =
       end_feature(pair, corner_against_edge(pair, owner, reference.edge, incident),
                   corner_against_edge(pair, other, incident + 1, reference.edge), ref_low - inc_low);

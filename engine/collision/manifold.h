@@ -46,6 +46,7 @@ struct Manifold {
   double length = 0.0;   // m, of the clipped interval; 0 for circles
   double depth_a = 0.0;  // m, from the centre of a to its own face
   double depth_b = 0.0;  // m, likewise for b
+  bool at_seam = false;  // an end of the interval is no corner: the face goes on in the next piece
   ReferenceEdge reference;
 };
 

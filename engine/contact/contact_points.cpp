@@ -83,7 +83,7 @@ inline double rebased_position(ContactPoints& points, std::size_t i, const Point
 // What the forces of a point do and did, for the work between two committed poses.
 struct PointForces {
   double dashpot = 0.0, viscous = 0.0, friction = 0.0;  // N, as in PointPast
-  double limit = 0.0;                                   // N, Coulomb's
+  double slip = 0.0;                                    // m, that the spring keeps
 };
 
 // The work since the last commit; then Coulomb's return: the anchor follows what the friction cannot hold.
@@ -95,10 +95,8 @@ inline void commit_point(ContactPoints& points, std::size_t i, const PointGeomet
   totals.tangential_work += 0.5 * (past.friction + f.friction) * slid;
   const double position = rebased_position(points, i, g, corner, edge);
   past = {g.overlap, position, f.dashpot, f.viscous, f.friction};
-  PointHistory& history = points.history[i];
-  history.open = !(g.overlap > 0.0);
-  if (history.shift > 0.0 && history.open) points.shift_face(i, std::max(g.overlap, -history.shift));
-  points.history[i].anchor = position - returned_slip(g.slip, points.stiffness[i].tangential, f.limit);
+  points.history[i].open = !(g.overlap > 0.0);
+  points.history[i].anchor = position - f.slip;
 }
 
 }  // namespace
@@ -108,17 +106,18 @@ void ContactPoints::resize(std::size_t n, bool with_rocking) {
   corner_body.resize(n), edge_body.resize(n);
   corner.resize(n), edge_point.resize(n), edge_normal.resize(n), edge_offset.resize(n);
   radius.resize(n), other_radius.resize(n);
-  stiffness.resize(n), inverse_width.resize(n), history.resize(n), past.resize(n);
+  stiffness.resize(n), bearing.resize(n), inverse_width.resize(n), history.resize(n), past.resize(n);
   rocking.resize(with_rocking ? n : 0);
 }
 
-void ContactPoints::set(std::size_t i, const Feature& f, const PointStiffness& law, double width) {
+void ContactPoints::set(std::size_t i, const Feature& f, const BearingLength& length,
+                        const PointStiffness& law, double width) {
   kind[i] = f.kind;
   corner_body[i] = f.corner_body, edge_body[i] = f.edge_body;
   corner[i] = f.corner, edge_point[i] = f.edge_point, edge_normal[i] = f.edge_normal;
   edge_offset[i] = {dot(f.edge_normal, f.edge_point), dot(turned(f.edge_normal), f.edge_point)};
   radius[i] = f.radius, other_radius[i] = f.other_radius;
-  stiffness[i] = law;
+  stiffness[i] = law, bearing[i] = length;
   inverse_width[i] = 1.0 / width;
 }
 
@@ -129,33 +128,14 @@ void ContactPoints::start(std::size_t i, std::span<const Frame> frames) {
   past[i].position = rebased_position(*this, i, g, frames[corner_body[i]], frames[edge_body[i]]);
 }
 
-void ContactPoints::shift_face(std::size_t i, double change) {
-  history[i].shift += change, edge_offset[i].x -= change, past[i].overlap -= change;
-}
-
-// A length of contact that is gained bears nothing at first, and what bore nothing is lost first: the force
-// stays while the unstressed overlap can change in its place. Beyond that the lost part takes its force
-// along.
-double ContactPoints::carry_on(std::size_t i, std::span<const Frame> frames, const PointStiffness& before) {
-  PointHistory& h = history[i];
-  edge_offset[i].x -= h.shift;
-  const PointGeometry g = geometry_of(*this, i, frames);
-  if (g.overlap <= -h.shift) shift_face(i, -h.shift);
-  const PointStiffness& law = stiffness[i];
-  if (kind[i] != FeatureKind::corner_edge || h.open || g.overlap <= 0.0 || law.normal == before.normal)
-    return 0.0;
-  const double force = before.normal * g.overlap;
-  const double change = std::max(-h.shift, g.overlap - force / law.normal), overlap = g.overlap - change;
-  shift_face(i, change);
-  const double slip = law.normal * overlap / force * before.tangential * g.slip / law.tangential;
-  h.anchor = g.position - slip;
-  return 0.5 * (force * g.overlap - law.normal * overlap * overlap);
-}
-
 PointGeometry geometry_of(const ContactPoints& points, std::size_t i, std::span<const Frame> frames) {
   const Frame &corner = frames[points.corner_body[i]], &edge = frames[points.edge_body[i]];
   if (points.kind[i] == FeatureKind::round) return round_geometry(points, i, corner, edge);
   return corner_edge_geometry(points, i, approach_of(points, i, corner, edge), corner, edge);
+}
+
+PointStiffness law_at(const ContactPoints& points, std::size_t i, const PointGeometry& g) {
+  return scaled(points.stiffness[i], bearing_share(points.bearing[i], g.position).factor);
 }
 
 double overlap_rate(const PointGeometry& g, const Frame& corner, const Frame& edge) {
@@ -181,10 +161,20 @@ inline double opening_weight(double overlap, double rate, double step) {
   return overlap + rate * step < 0.0 ? 0.5 - 0.5 * overlap / (rate * step) : 1.0;
 }
 
+// Forces along the edge, against slip, from a stiffness that follows the position (bearing_length.h).
+struct EndForces {
+  double normal = 0.0, tangential = 0.0;  // N, from the energy of each spring
+};
+
+inline EndForces end_forces(const PointStiffness& whole, double slope, double overlap, double slip) {
+  return {0.5 * slope * whole.normal * overlap * overlap, 0.5 * slope * whole.tangential * slip * slip};
+}
+
 // Force of one touching point; adds its powers to the totals. step = 0: no weighing.
-inline PointForces touch(const PointStiffness& law, const PointGeometry& g, const Frame& corner,
-                         const Frame& edge, bool was_open, double step, PointLoad& load,
+inline PointForces touch(const PointStiffness& whole, const BearingShare& share, const PointGeometry& g,
+                         const Frame& corner, const Frame& edge, bool was_open, double step, PointLoad& load,
                          ContactTotals& totals) {
+  const PointStiffness law = scaled(whole, share.factor);
   const PointRates rate = rates_of(g, corner, edge);
   const PoseWeights w =
       was_open && step > 0.0 ? closing_weights(g.overlap, rate.overlap, step) : PoseWeights{};
@@ -196,12 +186,15 @@ inline PointForces touch(const PointStiffness& law, const PointGeometry& g, cons
   const double wanted = law.tangential * g.slip + damping * rate.slip;
   const double last = normal > 0.0 ? opening_weight(g.overlap, rate.overlap, step) : 1.0;
   spring *= last, normal *= last;
-  const double tangential = -last * friction_force(wanted, limit);
+  const double slip = returned_slip(g.slip, law.tangential, limit);
+  const EndForces end = end_forces(whole, share.slope, g.overlap, slip);
+  const double held = last * friction_force(wanted, limit) + end.tangential;
+  const double tangential = -held - end.normal;
   const Vec2 force = normal * g.normal + tangential * turned(g.normal);
   load = {force.x, force.y, cross(g.arm_corner, force), -cross(g.arm_edge, force)};
 
   const double viscous = std::abs(wanted) > limit ? 0.0 : last * damping * rate.slip;
-  const PointForces f{normal - spring, viscous, -tangential - viscous, limit};
+  const PointForces f{normal - spring, viscous, held - viscous, slip};
   totals.damping_power += f.dashpot * rate.overlap + f.viscous * rate.slip;
   totals.tangential_power += f.friction * rate.slip;
   return f;
@@ -223,12 +216,13 @@ ContactTotals contact_forces(ContactPoints& points, std::span<const Frame> frame
     }
     PointForces f;
     if (g.overlap > 0.0)
-      f = touch(points.stiffness[i], g, corner, edge, points.history[i].open, step, loads[i], totals);
+      f = touch(points.stiffness[i], bearing_share(points.bearing[i], g.position), g, corner, edge,
+                points.history[i].open, step, loads[i], totals);
     else
       loads[i] = {};
     if (!commit) continue;
     commit_point(points, i, g, f, corner, edge, totals);
-    const double ratio = (g.overlap + points.history[i].shift) * points.inverse_width[i];
+    const double ratio = g.overlap * points.inverse_width[i];
     if (ratio > totals.deepest_ratio) totals.deepest_ratio = ratio, totals.deepest_point = i;
   }
   add_rocking_couples(points, frames, commit, loads, totals);
@@ -252,7 +246,7 @@ void contact_events(const ContactPoints& points, std::span<const Frame> frames, 
     const PointGeometry g = geometry_of(points, i, frames);
     const PointRates rate = rates_of(g, frames[points.corner_body[i]], frames[points.edge_body[i]]);
     values[2 * i] = g.overlap;
-    const bool watched = !at_start || slides(points.stiffness[i], g, rate);
+    const bool watched = !at_start || slides(law_at(points, i, g), g, rate);
     values[2 * i + 1] = watched ? rate.slip : std::numeric_limits<double>::quiet_NaN();
   }
 }
@@ -262,7 +256,7 @@ StoredEnergy stored_energy(const ContactPoints& points, std::span<const Frame> f
   for (std::size_t i = 0; i < points.size(); ++i) {
     const PointGeometry g = geometry_of(points, i, frames);
     if (g.overlap <= 0.0) continue;
-    const PointStiffness& law = points.stiffness[i];
+    const PointStiffness law = law_at(points, i, g);
     const double slip = returned_slip(g.slip, law.tangential, law.friction * law.normal * g.overlap);
     energy.normal += 0.5 * law.normal * g.overlap * g.overlap;
     energy.tangential += 0.5 * law.tangential * slip * slip;

@@ -3,7 +3,8 @@
 // A point is a corner of one body against an edge of another (contact/manifold.h):
 //     gap  g = n . (p - e) - rho          n, e turn and move with the edge's body, rho rounding
 //     slip s = t . (p - e) - rho (theta_corner - theta_edge) - anchor,   t = n turned by 90 degrees
-// Both are functions of the poses alone: the elastic forces have a potential, whatever the integrator.
+// Both are functions of the poses alone: the elastic forces have a potential, whatever the integrator. The
+// stiffness may follow the corner's position along the edge (contact/bearing_length.h).
 // Round contacts (along a line of centres) keep the direction and the angles of the last committed step
 // and add the slip since then.
 #pragma once
@@ -11,6 +12,7 @@
 #include <array>
 
 #include "engine/collision/manifold.h"
+#include "engine/contact/bearing_length.h"
 #include "engine/contact/law.h"
 #include "engine/contact/rocking.h"
 
@@ -24,8 +26,6 @@ struct PointHistory {
   // Round contacts only: direction of the line of centres and angles when anchor was committed.
   Vec2 direction{0.0, 1.0};
   double angle_corner = 0.0, angle_edge = 0.0;  // rad
-  /// Overlap that the spring does not feel (m): a contact that grows under load is born unstressed.
-  double shift = 0.0;
 };
 
 /// Where a point stood at the last committed poses and what it did there: the work of its forces since then
@@ -59,6 +59,7 @@ struct ContactPoints {
   std::vector<Vec2> edge_offset;  // m, edge_point along the normal and along the tangent
   std::vector<double> radius, other_radius;
   std::vector<PointStiffness> stiffness;
+  std::vector<BearingLength> bearing;
   std::vector<double> inverse_width;  // 1/m
   std::vector<PointHistory> history;
   std::vector<PointPast> past;
@@ -66,12 +67,8 @@ struct ContactPoints {
 
   std::size_t size() const { return kind.size(); }
   void resize(std::size_t n, bool with_rocking);
-  void set(std::size_t i, const Feature& feature, const PointStiffness& law, double width);
-  /// Point i, set anew, goes on with its history: a closed spring keeps its force, unless it has become so
-  /// much softer that it cannot (contact_points.cpp). Returns the energy that the change of law takes (J).
-  double carry_on(std::size_t i, std::span<const Frame> frames, const PointStiffness& before);
-  /// Adds to the overlap that point i does not feel (m).
-  void shift_face(std::size_t i, double change);
+  void set(std::size_t i, const Feature& feature, const BearingLength& length, const PointStiffness& law,
+           double width);
   /// Forgets: point i stands where the frames say, and has done nothing yet.
   void start(std::size_t i, std::span<const Frame> frames);
 };
@@ -86,6 +83,8 @@ struct PointGeometry {
   double position = 0.0;  // m, of the corner along the edge; round contacts: slip since the last commit
 };
 PointGeometry geometry_of(const ContactPoints& points, std::size_t i, std::span<const Frame> frames);
+/// The law at these poses: that of the reference length, by the length it bears on now.
+PointStiffness law_at(const ContactPoints& points, std::size_t i, const PointGeometry& g);
 /// Rate at which the bodies of a point close (m/s).
 double overlap_rate(const PointGeometry& g, const Frame& corner, const Frame& edge);
 

@@ -13,6 +13,9 @@ namespace {
 constexpr double margin_ratio = 0.02;
 // Relative motion that calls for a new manifold, over the margin.
 constexpr double refresh_ratio = 0.3;
+// Where corners pass each other their contact turns across as soon as it is no longer than deep: the motion
+// allowed is a part of its length, at least this part of the margin.
+constexpr double shortest_reach = 0.02;
 // Skin of the broad phase over the median minimum width.
 constexpr double skin_ratio = 0.25;
 constexpr std::size_t longest_wait = 16;  // steps
@@ -38,11 +41,17 @@ SeenPose seen_pose(const Model& model, std::span<const Frame> frames, BodyPair p
   return {large.to_local(small.position()), small.angle - large.angle};
 }
 
+// What the motion that calls for a new manifold is measured by (m).
+double reach_of(const ContactPair& pair) {
+  if (pair.manifold.count < 2) return pair.margin;
+  return std::clamp(pair.manifold.length, shortest_reach * pair.margin, pair.margin);
+}
+
 bool has_moved(const Model& model, const ContactPair& pair, const SeenPose& now) {
   const Vec2 d = now.position - pair.seen_position;
   const double radius = std::min(model.bounding_radius[pair.bodies.a], model.bounding_radius[pair.bodies.b]);
   const double motion = std::abs(d.x) + std::abs(d.y) + radius * std::abs(now.angle - pair.seen_angle);
-  return motion > refresh_ratio * pair.margin;
+  return motion > refresh_ratio * reach_of(pair);
 }
 
 // What the scene's moving ground carries along does not count as motion.
@@ -177,15 +186,15 @@ void ContactSet::rebuild_pairs(const Model& model, std::span<const Frame> frames
 std::array<ContactSet::Memory, 2> ContactSet::memory_of(const ContactPoints& points, std::size_t first) {
   const auto one = [&](std::size_t i) {
     return Memory{points.history[i], points.past[i],
-                  points.rocking.empty() ? RockingDashpot{} : points.rocking[i], points.stiffness[i]};
+                  points.rocking.empty() ? RockingDashpot{} : points.rocking[i]};
   };
   return {one(first), one(first + 1)};
 }
 
 PointStiffness ContactSet::law_of(const Model& model, std::span<const Frame> frames, const ContactPair& pair,
-                                  const Feature& feature) const {
+                                  const Feature& feature, double length) const {
   const auto [a, b] = pair.bodies;
-  if (!rigid_) return point_stiffness(model, frames, pair.manifold, feature, a, b);
+  if (!rigid_) return point_stiffness(model, frames, pair.manifold, feature, length, a, b);
   PointStiffness rigid;
   rigid.friction = model.rule(a, b).friction_coefficient;
   return rigid;
@@ -205,33 +214,22 @@ void ContactSet::write_points(const Model& model, std::span<const Frame> frames,
   for (Index k = 0; k < 2; ++k) {
     const std::size_t i = pair.first_point + k;
     if (k >= pair.manifold.count) {
-      points.set(i, empty_slot(a, b), {}, width);
+      points.set(i, empty_slot(a, b), {}, {}, width);
       points.history[i] = {}, points.past[i] = {};
       if (!points.rocking.empty()) points.rocking[i] = {};
       continue;
     }
     const Feature& feature = pair.manifold.features[k];
-    points.set(i, feature, law_of(model, frames, pair, feature), width);
+    const BearingLength length = rigid_ ? BearingLength{} : bearing_of(model, frames, pair.manifold, k);
+    points.set(i, feature, length, law_of(model, frames, pair, feature, length.reference), width);
     points.start(i, frames);
     for (Index l = 0; l < old.count; ++l) {
       if (old.features[l].identity != feature.identity) continue;
       points.history[i] = kept[l].history, points.past[i] = kept[l].past;
       if (!points.rocking.empty()) points.rocking[i] = kept[l].rocking;
-      length_work_ += points.carry_on(i, frames, kept[l].law);
     }
   }
   if (!points.rocking.empty()) write_rocking(model, frames, pair);
-}
-
-// A corner that slides in beside another's may overlap already: what it meets there bears nothing yet.
-void ContactSet::bear_unstressed(const Model& model, std::span<const Frame> frames, const ContactPair& pair) {
-  const Manifold& m = pair.manifold;
-  const bool short_face = m.length > 0.0 && m.length < nominal_length(model, pair.bodies.a, pair.bodies.b);
-  if (rigid_ || !running_ || !short_face) return;
-  for (std::size_t i = pair.first_point; i < pair.first_point + m.count; ++i) {
-    if (points.kind[i] != FeatureKind::corner_edge || !points.history[i].open) continue;
-    points.shift_face(i, std::max(0.0, geometry_of(points, i, frames).overlap));
-  }
 }
 
 // A face with two corners can rock; the couple is found anew when the length of contact has changed.
@@ -286,9 +284,7 @@ bool ContactSet::refresh(const Model& model, std::span<const Frame> frames, Cont
     if (kept[k].history.open || norm(place(k) - old_place[k]) > 2.0 * pair.margin) continue;
     // Corner and edge may have changed sides: both the tangent and the motion turn round, so slip stays.
     points.history[pair.first_point + k] = history_with_slip(points, pair.first_point + k, frames, slip[k]);
-    points.shift_face(pair.first_point + k, kept[k].history.shift);
   }
-  bear_unstressed(model, frames, pair);
   return true;
 }
 
@@ -311,7 +307,6 @@ void ContactSet::lay_out_points(const Model& model, std::span<const Frame> frame
       write_points(model, frames, pair, pair.manifold, memory_of(old, old_first));
     } else {
       write_points(model, frames, pair, {}, {});
-      bear_unstressed(model, frames, pair);
     }
   }
   index_bodies(model.size());
@@ -348,11 +343,12 @@ bool ContactSet::update(const Model& model, std::span<const Frame> frames) {
     pair.seen_position = now.position, pair.seen_angle = now.angle;
     changed |= refresh(model, frames, pair, activity_changed);
   }
+  smallest_reach_ = smallest_margin_;
+  for (const ContactPair& pair : pairs_) smallest_reach_ = std::min(smallest_reach_, reach_of(pair));
   if (activity_changed)
     lay_out_points(model, frames);
   else if (changed)
     index_bodies(model.size());
-  running_ = true;
   return changed || activity_changed;
 }
 
@@ -364,7 +360,7 @@ double ContactSet::longest_step(const Model& model, std::span<const Frame> frame
 
 std::size_t ContactSet::steps_until_update(const Model& model, std::span<const Frame> frames,
                                            double h) const {
-  const double allowed = 0.5 * refresh_ratio * smallest_margin_;
+  const double allowed = 0.5 * refresh_ratio * smallest_reach_;
   const double steps = time_to_go(model, 0.5 * allowed, fastest_rim(model, frames)) / h;
   return std::max<std::size_t>(1,
                                static_cast<std::size_t>(std::min(steps, static_cast<double>(longest_wait))));

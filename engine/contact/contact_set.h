@@ -6,8 +6,6 @@
 // pass on when one end of a contact changes hands between two coinciding corners.
 #pragma once
 
-#include <utility>
-
 #include "engine/collision/broad_phase.h"
 #include "engine/contact/contact_points.h"
 
@@ -52,9 +50,6 @@ class ContactSet {
   /// Sums the loads of the points over every body and terrain, in a fixed order.
   void gather(std::span<const PointLoad> loads, std::span<Vec2> forces, std::span<double> torques) const;
 
-  /// Energy that changes of length under load have taken from the springs since the last call (J).
-  double take_length_work() { return std::exchange(length_work_, 0.0); }
-
   ContactPoints points;
   const std::vector<ContactPair>& pairs() const { return pairs_; }
 
@@ -64,7 +59,6 @@ class ContactSet {
     PointHistory history;
     PointPast past;
     RockingDashpot rocking;
-    PointStiffness law;
   };
   static std::array<Memory, 2> memory_of(const ContactPoints& points, std::size_t first);
 
@@ -72,19 +66,17 @@ class ContactSet {
   bool moved_beyond_skin(const Model& model, std::span<const Frame> frames) const;
   bool refresh(const Model& model, std::span<const Frame> frames, ContactPair& pair, bool& activity_changed);
   PointStiffness law_of(const Model& model, std::span<const Frame> frames, const ContactPair& pair,
-                        const Feature& feature) const;
+                        const Feature& feature, double length) const;
   void write_points(const Model& model, std::span<const Frame> frames, ContactPair& pair, const Manifold& old,
                     std::span<const Memory> kept);
-  void bear_unstressed(const Model& model, std::span<const Frame> frames, const ContactPair& pair);
   void write_rocking(const Model& model, std::span<const Frame> frames, ContactPair& pair);
   void lay_out_points(const Model& model, std::span<const Frame> frames);
   void index_bodies(std::size_t bodies);
 
-  double length_work_ = 0.0;      // J
   double skin_ = 0.0;             // m
   double smallest_margin_ = 0.0;  // m
+  double smallest_reach_ = 0.0;   // m
   bool rigid_ = false;
-  bool running_ = false;  // the overlaps of the first look are the scene's: they bear
   std::vector<ContactPair> pairs_;
   std::vector<BodyPair> held_;
   std::vector<Vec2> skin_position_;

@@ -21,6 +21,12 @@ struct PointStiffness {
   double friction = 0.0;            // mu, -
 };
 
+/// The same law on a part of the length.
+inline PointStiffness scaled(const PointStiffness& law, double part) {
+  return {part * law.normal, part * law.tangential, part * law.normal_damping, part * law.tangential_damping,
+          law.friction};
+}
+
 inline double normal_force(double stiffness, double damping, double overlap, double overlap_rate) {
   const double force = stiffness * overlap + damping * overlap_rate;
   return overlap > 0.0 && force > 0.0 ? force : 0.0;

@@ -17,14 +17,14 @@ double plane_flexibility(const Model& model, Index body) {
   return (1.0 - m.poisson_ratio * m.poisson_ratio) / m.young_modulus;
 }
 
-double normal_stiffness(const Model& model, const Manifold& manifold, Index a, Index b) {
+double normal_stiffness(const Model& model, const Manifold& manifold, double length, Index a, Index b) {
   if (model.contact.point_stiffness) return *model.contact.point_stiffness;
   const double thickness = std::min(model.thickness[a], model.thickness[b]);
   if (manifold.length == 0.0)
     return std::numbers::pi / 4.0 * thickness / (plane_flexibility(model, a) + plane_flexibility(model, b));
   const double per_area =
       1.0 / (flexibility(model, a, manifold.depth_a) + flexibility(model, b, manifold.depth_b));
-  return per_area * thickness * 0.5 * std::max(manifold.length, nominal_length(model, a, b));
+  return per_area * thickness * 0.5 * length;
 }
 
 double tangential_ratio(const Model& model, Index a, Index b) {
@@ -56,19 +56,42 @@ Placement placement_of(std::span<const Frame> frames, const Feature& f) {
   return {normal, point - corner.position(), point - edge.position()};
 }
 
+// Where two corners meet, less than half a width long, the material beside the contact bears too. At a seam
+// the next piece of the face bears instead.
+double nominal_length(const Model& model, const Manifold& manifold, Index a, Index b) {
+  return manifold.at_seam ? 0.0 : 0.5 * std::min(model.minimum_width[a], model.minimum_width[b]);
+}
+
+// Of the corner along the edge, from the edge's point (m).
+double position_along(const Feature& f, Vec2 in_edge_body) {
+  return dot(turned(f.edge_normal), in_edge_body - f.edge_point);
+}
+
 }  // namespace
 
-double nominal_length(const Model& model, Index a, Index b) {
-  return 0.5 * std::min(model.minimum_width[a], model.minimum_width[b]);
+BearingLength bearing_of(const Model& model, std::span<const Frame> frames, const Manifold& manifold,
+                         Index point) {
+  const Feature &f = manifold.features[point], &other = manifold.features[1 - point];
+  const double nominal = nominal_length(model, manifold, f.corner_body, f.edge_body);
+  const auto constant = [&](double length) {
+    return BearingLength{0.0, 0.0, nominal, bearing_length(length, nominal)};
+  };
+  if (manifold.count < 2 || model.contact.point_stiffness) return constant(manifold.length);
+  if (other.corner_body == f.corner_body) return constant(norm(other.corner - f.corner));
+  const double position =
+      position_along(f, frames[f.edge_body].to_local(frames[f.corner_body].to_world(f.corner)));
+  const double end = position_along(f, other.corner), length = std::abs(position - end);
+  if (length == 0.0) return constant(manifold.length);
+  return {position > end ? 1.0 : -1.0, end, nominal, bearing_length(length, nominal)};
 }
 
 PointStiffness point_stiffness(const Model& model, std::span<const Frame> frames, const Manifold& manifold,
-                               const Feature& feature, Index a, Index b) {
+                               const Feature& feature, double length, Index a, Index b) {
   const Placement p = placement_of(frames, feature);
   const Index corner = feature.corner_body, edge = feature.edge_body;
   const PairRule& rule = model.rule(a, b);
   PointStiffness s;
-  s.normal = normal_stiffness(model, manifold, a, b);
+  s.normal = normal_stiffness(model, manifold, length, a, b);
   s.tangential = s.normal * tangential_ratio(model, a, b);
   const double mn = felt_mass(model, corner, edge, p.arm_corner, p.arm_edge, p.normal);
   const double mt = felt_mass(model, corner, edge, p.arm_corner, p.arm_edge, turned(p.normal));

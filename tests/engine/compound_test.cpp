@@ -183,7 +183,7 @@ TEST(GroundLine, HasNoStepsAtItsSeams) {
   b.run(run_for(1.5));
   EXPECT_NEAR(a.position().x, b.position().x, 0.01 * (b.position().x + 1.2));
   EXPECT_NEAR(a.velocity().x, 0.0, 1e-6);
-  EXPECT_NEAR(a.angle(), 0.0, 3e-5);  // what it bore on while it slid stays compressed by micrometres
+  EXPECT_NEAR(a.angle(), 0.0, 1e-5);
 }
 
 TEST(GroundLine, LetsADiscRollThroughAValley) {

@@ -101,6 +101,7 @@ TEST_P(RealRun, HasAVerdictAndClosesItsEnergyBalance) {
   const json summary = json::parse(ran.out);
   EXPECT_NE(summary.at("verdict").at("kind"), "numerically invalid");
   EXPECT_LT(summary.at("energy").at("standing_error").at("value").get<double>(), 0.01);
+  EXPECT_LT(summary.at("energy").at("relative_error").at("value").get<double>(), 0.002);
   EXPECT_LT(summary.at("energy").at("input_error").at("value").get<double>(), 0.01);
   EXPECT_TRUE(exists("out/report.html"));
 }

@@ -179,8 +179,7 @@ void add_energy(RunResult& run, const Shaking& s) {
     e.elastic.push_back(0.2 * kinetic);
     e.input.push_back(scale * done + kinetic);
     e.damping.push_back(0.4 * scale * done);
-    e.friction.push_back(e.input.back() - 1.2 * kinetic - gravity - e.damping.back() - 0.01 * scale * done);
-    e.contact_length.push_back(0.01 * scale * done);
+    e.friction.push_back(e.input.back() - 1.2 * kinetic - gravity - e.damping.back());
     e.error.push_back(2e-3 * scale * std::sin(t) * done);
     e.largest_input = std::max(e.largest_input, std::abs(e.input.back()));
   }

@@ -55,12 +55,14 @@ double stiffness_with_length(double length) {
   return r.state.contacts.points.stiffness.at(0).normal;
 }
 
-TEST(PointStiffness, OfTwoCornersIsThatOfHalfAWidth) {
+TEST(PointStiffness, OfTwoCornersIsThatOfHalfAWidthWithoutAStep) {
   const double per_length = 30e9 / 0.35 / 2.0, width = 0.3;
   for (const double length : {0.15, 0.16, 0.5, 0.9})
     EXPECT_NEAR(stiffness_with_length(length) / per_length, length, 1e-9) << length;
-  for (const double length : {1e-6, 0.01, 0.149})
+  for (const double length : {0.0151, 0.05, 0.149})
     EXPECT_NEAR(stiffness_with_length(length) / per_length, 0.5 * width, 1e-9) << length;
+  for (const double length : {1e-6, 1e-3, 0.0149})
+    EXPECT_NEAR(stiffness_with_length(length) / per_length, 10.0 * length, 1e-9) << length;
 }
 
 TEST(PointStiffness, OfADiscIsJohnsonsLine) {
