@@ -10,6 +10,10 @@
 namespace dougong::engine {
 namespace {
 
+// Once gravity has given this many times what the ground put in, debris hits hard and the error of its
+// impacts counts beside the input: the step is this part of what it was, their error a tenth
+// (docs/validation.md).
+constexpr double gravity_driven = 10.0, step_of_impacts = 0.5;
 constexpr double no_bound = std::numeric_limits<double>::infinity();
 
 void check_options(const DriveOptions& options) {
@@ -78,8 +82,8 @@ class Runner {
   StepPlan plan() {
     refresh_bound();
     if (bound_ == 0.0) return {intervals_.base, intervals_.output, 0.0, 0.0};
-    divisions_ = steps_per_interval(intervals_.base, largest_step());
-    return {intervals_.base, intervals_.output, intervals_.base / static_cast<double>(divisions_), bound_};
+    divide(steps_per_interval(intervals_.base, largest_step()));
+    return {intervals_.base, intervals_.output, step_size(), bound_};
   }
 
   RunOutcome run(const Observer& observe) {
@@ -115,9 +119,11 @@ class Runner {
   double largest_step() const {
     // A step that was asked for gives way when a contact appears that it would be unstable for.
     const bool as_asked = options_.step && *options_.step <= bound_;
-    const double own = std::min(options_.step_fraction * bound_, longest_step_);
+    const double own = std::min(step_fraction() * bound_, longest_step_);
     return std::min(as_asked ? *options_.step : own, travel_);
   }
+
+  double step_fraction() const { return options_.step_fraction * (falling_ ? step_of_impacts : 1.0); }
 
   void refresh_bound() {
     const auto frames = frames_of(model_, state_, options_.terrain_held_still);
@@ -125,70 +131,78 @@ class Runner {
     travel_ = state_.contacts.longest_step(model_, frames);
   }
 
-  // A base interval in `divisions_` equal steps; the number may double on the way.
+  // A base interval in equal steps; what is left of it may be divided anew on the way.
   void advance_interval() {
     start_interval();
-    for (std::size_t j = 0; j < divisions_ && bound_ > 0.0; ++j) {
-      if (countdown_ == 0 && update_contacts()) j *= refine();
-      const double h = intervals_.base / static_cast<double>(divisions_);
+    while (left_ > 0 && bound_ > 0.0) {
+      const bool roused = dynamics_.take_roused();
+      if ((countdown_ == 0 && update_contacts()) || roused) refine();
       state_.time =
-          (static_cast<double>(interval_) + static_cast<double>(j) / static_cast<double>(divisions_)) *
-          intervals_.base;
-      step(h);
-      --countdown_;
+          (static_cast<double>(interval_) + from_ + static_cast<double>(taken_) * part_) * intervals_.base;
+      step(step_size());
+      ++taken_, --left_, --countdown_;
     }
     ++interval_;
     state_.time = static_cast<double>(interval_) * intervals_.base;
   }
 
+  double step_size() const { return part_ * intervals_.base; }
+
+  // What is left of the interval becomes so many steps.
+  void divide(std::size_t steps) {
+    part_ = (1.0 - from_) / static_cast<double>(steps);
+    taken_ = 0, left_ = steps;
+  }
+
   // The step that the contacts of now allow, unless the present one is about right.
   void start_interval() {
     refresh_bound();
+    from_ = 0.0;
     if (bound_ == 0.0) return;
+    const double before = step_size();
     const std::size_t wanted = steps_per_interval(intervals_.base, largest_step());
-    const double h = intervals_.base / static_cast<double>(divisions_);
-    if (h > tolerated_step() || 4 * wanted < 3 * divisions_) change_divisions(wanted);
+    const std::size_t present = steps_per_interval(intervals_.base, before);
+    const bool changes = before > tolerated_step() || 4 * wanted < 3 * present;
+    divide(changes ? wanted : present);
+    if (changes) note_step(before);
   }
 
   // A bound that wanders a little must not change the step: a tenth of it is spare below the bound.
   double tolerated_step() const {
-    const double stable = options_.step ? bound_ : std::min(1.1 * options_.step_fraction * bound_, bound_);
+    const double stable = options_.step ? bound_ : std::min(1.1 * step_fraction() * bound_, bound_);
     return std::min(stable, travel_);
   }
 
-  void change_divisions(std::size_t divisions) {
-    if (divisions > divisions_) ++outcome_.step_reductions;
-    divisions_ = divisions;
-    outcome_.smallest_step =
-        std::min(outcome_.smallest_step, intervals_.base / static_cast<double>(divisions));
+  void note_step(double before) {
+    if (step_size() < before) ++outcome_.step_reductions;
+    outcome_.smallest_step = std::min(outcome_.smallest_step, std::min(before, largest_step()));
     countdown_ = 0;
   }
 
-  // Halves the step until it suits the contacts; returns the factor by which the divisions grew.
-  std::size_t refine() {
+  // Divides what is left of the interval anew if the contacts no longer allow the step.
+  void refine() {
     refresh_bound();
-    if (bound_ == 0.0) return 1;
-    std::size_t factor = 1;
-    while (intervals_.base / static_cast<double>(divisions_ * factor) > tolerated_step() && factor < 1024)
-      factor *= 2;
-    if (factor > 1) change_divisions(divisions_ * factor);
     countdown_ = std::max<std::size_t>(countdown_, 1);
-    return factor;
+    if (bound_ == 0.0 || step_size() <= tolerated_step()) return;
+    const double before = step_size();
+    from_ += static_cast<double>(taken_) * part_;
+    divide(steps_per_interval((1.0 - from_) * intervals_.base, largest_step()));
+    note_step(before);
+    countdown_ = 1;
   }
 
   // Whether bodies have become so fast since the interval began that the step is too long for them. It may
   // be half as long again as longest_step() says: that leaves the bodies less than the margin.
   bool runs_away(std::span<const Frame> frames) {
     travel_ = state_.contacts.longest_step(model_, frames);
-    return intervals_.base / static_cast<double>(divisions_) > 1.5 * travel_;
+    return step_size() > 1.5 * travel_;
   }
 
   // Returns whether the step may have to change.
   bool update_contacts() {
     const auto frames = frames_of(model_, state_, options_.terrain_held_still);
     const bool changed = state_.contacts.update(model_, frames);
-    countdown_ =
-        state_.contacts.steps_until_update(model_, frames, intervals_.base / static_cast<double>(divisions_));
+    countdown_ = state_.contacts.steps_until_update(model_, frames, step_size());
     // Many evaluations a step: looking at the contacts before each costs little.
     if (adaptive_) countdown_ = 1;
     if (changed && adaptive_) restart();
@@ -240,6 +254,8 @@ class Runner {
              " of the smaller one";
     // Local damping takes energy that no ledger follows.
     if (options_.local_damping == 0.0) turnover_.note(energies_of(model_, state_));
+    falling_ =
+        turnover_.turnover() > gravity_driven * turnover_.largest_input() && turnover_.largest_input() > 0.0;
     if (turnover_.relative_error() > options_.largest_energy_error)
       return "the energy balance is off by " + std::to_string(turnover_.relative_error()) +
              " of the energy turned over";
@@ -280,8 +296,11 @@ class Runner {
   double bound_ = no_bound;
   double travel_ = no_bound;        // s, ContactSet::longest_step
   double longest_step_ = no_bound;  // s, of the integrator's traits
-  bool rigid_ = false;
-  std::size_t interval_ = 0, divisions_ = 1, countdown_ = 0;
+  bool rigid_ = false, falling_ = false;
+  std::size_t interval_ = 0, countdown_ = 0;
+  // Of the interval: where the present steps began, the length of one; and how many were taken, are left.
+  double from_ = 0.0, part_ = 1.0;
+  std::size_t taken_ = 0, left_ = 1;
 };
 
 }  // namespace

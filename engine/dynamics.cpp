@@ -63,7 +63,8 @@ ContactTotals Dynamics::add_contacts(double t, bool commit) {
   loads_.resize(state_.contacts.points.size());
   const bool weigh = commit && one_evaluation_ && t > last_begin_;
   const ContactTotals totals =
-      contact_forces(state_.contacts.points, frames_, commit, loads_, weigh ? t - last_begin_ : 0.0);
+      contact_forces(state_.contacts.points, frames_, commit, loads_, t, weigh ? t - last_begin_ : 0.0);
+  roused_ |= totals.roused;
   if (commit) last_begin_ = t;
   state_.contacts.gather(loads_, forces_, torques_);
   return totals;

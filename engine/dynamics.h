@@ -3,6 +3,7 @@
 #pragma once
 
 #include <limits>
+#include <utility>
 
 #include "engine/fields/fields.h"
 #include "engine/integrators/error_control.h"
@@ -47,6 +48,8 @@ class Dynamics {
     contact_events(state_.contacts.points, frames_, at_start, values);
   }
   std::size_t evaluations() const { return evaluations_; }
+  /// Whether a face has left its rest since the last call: the stability bound may have shrunk.
+  bool take_roused() { return std::exchange(roused_, false); }
   /// Force of the terrains on the bodies at the last evaluation (N).
   Vec2 terrain_reaction() const;
 
@@ -70,7 +73,7 @@ class Dynamics {
   State& state_;
   bool terrain_held_still_;
   double local_damping_;
-  bool one_evaluation_ = false;
+  bool one_evaluation_ = false, roused_ = false;
   double last_begin_ = std::numeric_limits<double>::infinity();  // s, of the last accepted step
   std::vector<Frame> frames_;
   std::vector<PointLoad> loads_;

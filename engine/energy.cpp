@@ -46,6 +46,7 @@ void EnergyTurnover::note(const Energies& energies) {
   started_ = true;
   error_ = energies.balance() - first_.balance();
   largest_error_ = std::max(largest_error_, std::abs(error_));
+  largest_input_ = std::max(largest_input_, std::abs(energies.input));
   turnover_ =
       std::max(turnover_, std::abs(energies.input) + given(first_.gravity, energies.gravity) +
                               given(first_.field, energies.field) + given(first_.elastic, energies.elastic) +

@@ -37,6 +37,7 @@ class EnergyTurnover {
   void note(const Energies& energies);
   double turnover() const { return turnover_; }            // J
   double largest_error() const { return largest_error_; }  // J
+  double largest_input() const { return largest_input_; }  // J, of |input|
   /// Greatest |error| over the turnover; a scene that turns nothing over, whose error is rounding, is
   /// measured by a millionth of the elastic and kinetic energy it started with; bodies that orbit, which turn
   /// all of theirs over and gain nothing, by the energy of the fields at the start; at least by 1e-9 of the
@@ -48,7 +49,7 @@ class EnergyTurnover {
  private:
   bool started_ = false;
   Energies first_;
-  double turnover_ = 0.0, largest_error_ = 0.0, error_ = 0.0;
+  double turnover_ = 0.0, largest_error_ = 0.0, largest_input_ = 0.0, error_ = 0.0;
 };
 
 }  // namespace dougong::engine

@@ -49,6 +49,9 @@ struct ContactOptions {
   std::optional<double> point_stiffness;
   /// Tangential over normal stiffness, instead of G/E = 1/(2(1+nu)).
   std::optional<double> tangential_ratio;
+  /// Greatest damping ratio of a face that rests on another with both its ends (-); corners that land or rock
+  /// have the damping ratio of their materials. 3 to 4 times the step (docs/theory/contact.md).
+  double resting_damping_ratio = 0.3;
 };
 
 /// What bodies do to each other at a distance. A constant of zero leaves the field out.

@@ -35,6 +35,7 @@ void start_afresh(const Model& model, State& state) {
   state.work.tangential = stored_energy(state.contacts.points, frames).tangential;
   state.work.bonds = bond_energy(model, state.bonds, frames);
   state.deepest_ratio = state.deepest_time = 0.0;
+  put_to_rest(state.contacts.points);
 }
 
 }  // namespace

@@ -83,6 +83,7 @@ void add_point(const Model& model, const ContactPoints& points, std::size_t i, s
                Index first, Sums& sums) {
   const PointGeometry g = geometry_of(points, i, frames);
   const PointStiffness& law = points.stiffness[i];
+  const double damping = points.history[i].resting ? law.resting : 1.0;
   const bool corner_first = points.corner_body[i] == first;
   Strut s{first,
           corner_first ? points.edge_body[i] : points.corner_body[i],
@@ -90,9 +91,9 @@ void add_point(const Model& model, const ContactPoints& points, std::size_t i, s
           corner_first ? g.arm_corner : g.arm_edge,
           corner_first ? g.arm_edge : g.arm_corner,
           law.normal,
-          law.normal_damping};
+          damping * law.normal_damping};
   sums.add(model, s);
-  s.direction = turned(g.normal), s.stiffness = law.tangential, s.damping = law.tangential_damping;
+  s.direction = turned(g.normal), s.stiffness = law.tangential, s.damping = damping * law.tangential_damping;
   sums.add(model, s);
   if (points.rocking.empty() || points.rocking[i].couple == 0.0) return;
   const Row turn_a{0.0, 0.0, 1.0 / std::sqrt(model.inertia[s.a])};

@@ -88,7 +88,8 @@ Numerics numerics_of(const engine::Model& model, const engine::State& state,
   n.end_time = run.end_time;
   n.asked_time = drive.end_time;
   describe_deepest(model, state, n);
-  if (run.step_reductions > 0)
+  constexpr double worth_a_word = 0.25;  // what lies above is the change from rest to rocking
+  if (run.smallest_step < worth_a_word * run.step)
     n.warnings.push_back(
         fmt::format("the step was reduced {} times, to {:.3g} s, for stiffer contacts or faster bodies",
                     run.step_reductions, run.smallest_step));

@@ -260,6 +260,8 @@ std::vector<Key<engine::ContactOptions>> contact_keys() {
   return {
       number<C>("point_stiffness", AT(C, point_stiffness), stiffness, above_zero, endless,
                 "of every contact point; none: from Young's moduli and sizes"),
+      number<C>("resting_damping_ratio", AT(C, resting_damping_ratio), ratio, 0, 1e3,
+                "greatest damping ratio of a face at rest; corners that land have their materials'"),
       number<C>("tangential_ratio", AT(C, tangential_ratio), ratio, above_zero, 10,
                 "tangential over normal stiffness; none: G/E"),
   };

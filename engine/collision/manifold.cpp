@@ -52,11 +52,12 @@ Vec2 normal_of(const Pair& pair, ReferenceEdge r) {
 }
 
 // How much worse one axis may be than another and still count as good: a tenth of the margin if they are
-// parallel, as those of two faces that lie on each other; nothing if one turns across, where a corner passes
-// another.
+// parallel, as those of two faces that lie on each other; next to nothing if one turns across, where a corner
+// passes another.
 double tie_of(const Pair& pair, ReferenceEdge one, ReferenceEdge other) {
+  constexpr double of_faces = 0.1, of_corners = 0.001;
   const double parallel = dot(normal_of(pair, one), normal_of(pair, other));
-  return 0.1 * pair.margin * parallel * parallel;
+  return pair.margin * (of_corners + (of_faces - of_corners) * parallel * parallel);
 }
 
 // The axis of greatest separation, or the previous one if that is as good.

@@ -134,8 +134,17 @@ PointGeometry geometry_of(const ContactPoints& points, std::size_t i, std::span<
   return corner_edge_geometry(points, i, approach_of(points, i, corner, edge), corner, edge);
 }
 
+namespace {
+
+inline double damping_share(const ContactPoints& points, std::size_t i) {
+  return points.history[i].resting ? points.stiffness[i].resting : 1.0;
+}
+
+}  // namespace
+
 PointStiffness law_at(const ContactPoints& points, std::size_t i, const PointGeometry& g) {
-  return scaled(points.stiffness[i], bearing_share(points.bearing[i], g.position).factor);
+  const PointStiffness& law = points.stiffness[i];
+  return scaled(law, bearing_share(points.bearing[i], g.position).factor, damping_share(points, i));
 }
 
 double overlap_rate(const PointGeometry& g, const Frame& corner, const Frame& edge) {
@@ -171,10 +180,13 @@ inline EndForces end_forces(const PointStiffness& whole, double slope, double ov
 }
 
 // Force of one touching point; adds its powers to the totals. step = 0: no weighing.
-inline PointForces touch(const PointStiffness& whole, const BearingShare& share, const PointGeometry& g,
-                         const Frame& corner, const Frame& edge, bool was_open, double step, PointLoad& load,
+inline PointForces touch(const ContactPoints& points, std::size_t i, const PointGeometry& g,
+                         const Frame& corner, const Frame& edge, double step, PointLoad& load,
                          ContactTotals& totals) {
-  const PointStiffness law = scaled(whole, share.factor);
+  const PointStiffness& whole = points.stiffness[i];
+  const BearingShare share = bearing_share(points.bearing[i], g.position);
+  const PointStiffness law = scaled(whole, share.factor, damping_share(points, i));
+  const bool was_open = points.history[i].open;
   const PointRates rate = rates_of(g, corner, edge);
   const PoseWeights w =
       was_open && step > 0.0 ? closing_weights(g.overlap, rate.overlap, step) : PoseWeights{};
@@ -202,8 +214,51 @@ inline PointForces touch(const PointStiffness& whole, const BearingShare& share,
 
 }  // namespace
 
+namespace {
+
+// A point at rest: it bears, and its dashpot adds next to nothing.
+bool is_calm(const ContactPoints& points, std::size_t i) {
+  constexpr double next_to_nothing = 0.05;
+  const PointPast& past = points.past[i];
+  const double spring = points.stiffness[i].normal * past.overlap;
+  return spring > 0.0 && std::abs(past.dashpot) <= next_to_nothing * spring;
+}
+
+// Both points of a pair, after a commit at `time`. They come to rest when both have been calm for some
+// periods of their springs, so that no landing ends in between; a point that opens rouses both. Returns
+// whether they have been roused.
+bool follow_rest(ContactPoints& points, std::size_t first, double time) {
+  constexpr double relaxations = 10.0;
+  PointHistory &a = points.history[first], &b = points.history[first + 1];
+  const bool rested = a.resting || b.resting;
+  if (a.open || b.open || a.resting != b.resting) {
+    a.resting = b.resting = false;
+    a.calm_since = std::numeric_limits<double>::infinity();
+    return rested;
+  }
+  if (rested) return false;
+  if (!is_calm(points, first) || !is_calm(points, first + 1)) {
+    a.calm_since = std::numeric_limits<double>::infinity();
+    return false;
+  }
+  a.calm_since = std::min(a.calm_since, time);
+  const PointStiffness& law = points.stiffness[first];
+  a.resting = b.resting = (time - a.calm_since) * law.normal >= relaxations * law.normal_damping;
+  return false;
+}
+
+}  // namespace
+
+void put_to_rest(ContactPoints& points) {
+  for (std::size_t i = 0; i + 1 < points.size(); i += 2) {
+    PointHistory &a = points.history[i], &b = points.history[i + 1];
+    a.resting = b.resting = !a.open && !b.open;
+    a.calm_since = std::numeric_limits<double>::infinity();
+  }
+}
+
 ContactTotals contact_forces(ContactPoints& points, std::span<const Frame> frames, bool commit,
-                             std::span<PointLoad> loads, double step) {
+                             std::span<PointLoad> loads, double time, double step) {
   ContactTotals totals;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Frame &corner = frames[points.corner_body[i]], &edge = frames[points.edge_body[i]];
@@ -216,14 +271,14 @@ ContactTotals contact_forces(ContactPoints& points, std::span<const Frame> frame
     }
     PointForces f;
     if (g.overlap > 0.0)
-      f = touch(points.stiffness[i], bearing_share(points.bearing[i], g.position), g, corner, edge,
-                points.history[i].open, step, loads[i], totals);
+      f = touch(points, i, g, corner, edge, step, loads[i], totals);
     else
       loads[i] = {};
     if (!commit) continue;
     commit_point(points, i, g, f, corner, edge, totals);
     const double ratio = g.overlap * points.inverse_width[i];
     if (ratio > totals.deepest_ratio) totals.deepest_ratio = ratio, totals.deepest_point = i;
+    if (i % 2 == 1) totals.roused |= follow_rest(points, i - 1, time);
   }
   add_rocking_couples(points, frames, commit, loads, totals);
   return totals;

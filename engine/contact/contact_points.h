@@ -10,6 +10,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 
 #include "engine/collision/manifold.h"
 #include "engine/contact/bearing_length.h"
@@ -26,6 +27,9 @@ struct PointHistory {
   // Round contacts only: direction of the line of centres and angles when anchor was committed.
   Vec2 direction{0.0, 1.0};
   double angle_corner = 0.0, angle_edge = 0.0;  // rad
+  /// Whether both points of the face rest; if not, since when both bear and hardly move (s).
+  bool resting = false;
+  double calm_since = std::numeric_limits<double>::infinity();
 };
 
 /// Where a point stood at the last committed poses and what it did there: the work of its forces since then
@@ -50,6 +54,7 @@ struct ContactTotals {
   double damping_work = 0.0, tangential_work = 0.0;
   double deepest_ratio = 0.0;  // overlap over the smaller body's minimum width
   std::size_t deepest_point = 0;
+  bool roused = false;  // a face that rested no longer does: its dashpots are stiffer
 };
 
 struct ContactPoints {
@@ -83,20 +88,24 @@ struct PointGeometry {
   double position = 0.0;  // m, of the corner along the edge; round contacts: slip since the last commit
 };
 PointGeometry geometry_of(const ContactPoints& points, std::size_t i, std::span<const Frame> frames);
-/// The law at these poses: that of the reference length, by the length it bears on now.
+/// The law at these poses: that of the reference length, by the length it bears on now; and by the part of
+/// the damping that a face at rest has.
 PointStiffness law_at(const ContactPoints& points, std::size_t i, const PointGeometry& g);
 /// Rate at which the bodies of a point close (m/s).
 double overlap_rate(const PointGeometry& g, const Frame& corner, const Frame& edge);
 
 /// Forces of all points. With `commit`, the poses are those of an accepted step: anchors follow
-/// Coulomb's return, and totals.deepest_ratio is found.
+/// Coulomb's return, totals.deepest_ratio is found, and faces come to rest or are roused at `time` (s).
 ///
 /// Of a method that evaluates once a step, the forces of a pose stand for half a step before and half a step
 /// after it. A point that closed tau ago, or opens in tau, bears for a part of that only: with `step` h (s)
 /// since the last commit above 0 its spring counts 1/2 + tau/2h, the dashpot of a closing point, whose force
 /// starts with a jump, 1/2 + tau/h. Impacts are then of second order in h and the spring's work balances.
 ContactTotals contact_forces(ContactPoints& points, std::span<const Frame> frames, bool commit,
-                             std::span<PointLoad> loads, double step = 0.0);
+                             std::span<PointLoad> loads, double time = 0.0, double step = 0.0);
+
+/// Every face that bears on both its ends rests.
+void put_to_rest(ContactPoints& points);
 
 /// Two values for every point, whose sign changes are kinks of its force: its overlap; and its rate of slip
 /// (m/s) if its spring stretches to Coulomb's limit `at_start`, else not a number. A step that straddles the

@@ -111,13 +111,16 @@ RockingImpact rocking_impact(const Model& model, const Manifold& m, BodyPair bod
   return {model.mass[body], model.inertia[body], 0.5 * m.length, a_rocks ? m.depth_a : m.depth_b, law};
 }
 
-// A history whose spring holds the slip that another feature hands over.
+// The history that another feature hands over, with a spring that holds its slip.
 PointHistory history_with_slip(const ContactPoints& points, std::size_t i, std::span<const Frame> frames,
-                               double slip) {
+                               const PointHistory& kept, double slip) {
   const Frame &corner = frames[points.corner_body[i]], &edge = frames[points.edge_body[i]];
   const PointGeometry g = geometry_of(points, i, frames);
-  if (points.kind[i] == FeatureKind::round) return {-slip, false, g.normal, corner.angle, edge.angle};
-  return {g.position - slip, false};
+  const bool round = points.kind[i] == FeatureKind::round;
+  PointHistory history{round ? -slip : g.position - slip, false, {}, 0.0, 0.0, kept.resting, kept.calm_since};
+  if (round)
+    history.direction = g.normal, history.angle_corner = corner.angle, history.angle_edge = edge.angle;
+  return history;
 }
 
 }  // namespace
@@ -283,7 +286,8 @@ bool ContactSet::refresh(const Model& model, std::span<const Frame> frames, Cont
       continue;
     if (kept[k].history.open || norm(place(k) - old_place[k]) > 2.0 * pair.margin) continue;
     // Corner and edge may have changed sides: both the tangent and the motion turn round, so slip stays.
-    points.history[pair.first_point + k] = history_with_slip(points, pair.first_point + k, frames, slip[k]);
+    points.history[pair.first_point + k] =
+        history_with_slip(points, pair.first_point + k, frames, kept[k].history, slip[k]);
   }
   return true;
 }

@@ -19,12 +19,17 @@ struct PointStiffness {
   double normal_damping = 0.0;      // cn, N s/m
   double tangential_damping = 0.0;  // ct, N s/m
   double friction = 0.0;            // mu, -
+  double resting = 1.0;             // -, damping at rest on a whole face over cn and ct
 };
 
-/// The same law on a part of the length.
-inline PointStiffness scaled(const PointStiffness& law, double part) {
-  return {part * law.normal, part * law.tangential, part * law.normal_damping, part * law.tangential_damping,
-          law.friction};
+/// The same law on a part of the length, with a part of the damping.
+inline PointStiffness scaled(const PointStiffness& law, double part, double damping) {
+  return {part * law.normal,
+          part * law.tangential,
+          part * damping * law.normal_damping,
+          part * damping * law.tangential_damping,
+          law.friction,
+          law.resting};
 }
 
 inline double normal_force(double stiffness, double damping, double overlap, double overlap_rate) {

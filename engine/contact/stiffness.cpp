@@ -98,6 +98,8 @@ PointStiffness point_stiffness(const Model& model, std::span<const Frame> frames
   s.normal_damping = 2.0 * rule.damping_ratio * std::sqrt(s.normal * mn);
   s.tangential_damping = 2.0 * rule.damping_ratio * std::sqrt(s.tangential * mt);
   s.friction = rule.friction_coefficient;
+  const double at_rest = std::min(rule.damping_ratio, model.contact.resting_damping_ratio);
+  s.resting = rule.damping_ratio > 0.0 ? at_rest / rule.damping_ratio : 1.0;
   return s;
 }
 

@@ -8,7 +8,7 @@
 // Round contacts: the near-linear stiffness of parallel cylinders (Johnson, Contact Mechanics, 1985,
 //   section 5.6): kn = pi/4 E* t, 1/E* = (1-nu_a^2)/E_a + (1-nu_b^2)/E_b, rigid terrain left out.
 // Damping: cn = 2 xi sqrt(kn m_n), m_n = 1/(1/m_a + 1/m_b + r_a^2/I_a + r_b^2/I_b) the mass that the
-//   point feels along its normal; ct likewise.
+//   point feels along its normal; ct likewise. Of a face at rest, xi is at most resting_damping_ratio.
 // Two materials: the smaller friction coefficient and the mean damping ratio, unless the scene gives the pair
 // its own.
 #pragma once

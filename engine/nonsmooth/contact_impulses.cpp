@@ -14,6 +14,7 @@ constexpr double slowest_bounce = 2.0;
 // Points further apart, over the smaller body's width, cannot close in a step (contact_set.cpp: margin).
 constexpr double out_of_reach = 0.04;
 constexpr double gain_by_rounding = 1e-9;
+constexpr double rounding = 1e-9;
 
 // Round contacts measure their slip from the last step (contact_points.h).
 void rebase(ContactPoints& points, std::size_t i, std::span<const Frame> frames) {
@@ -29,6 +30,10 @@ std::string number(double value) {
   std::ostringstream text;
   text << value;
   return text.str();
+}
+
+bool slid(const PointPast& past, double friction) {
+  return std::abs(past.friction) >= (1.0 - rounding) * friction * past.dashpot;
 }
 
 double speed_of(const PlaneVelocity& v) {
@@ -84,9 +89,13 @@ ContactImpulses::Approach ContactImpulses::approach_of(const ContactPoints& poin
   const double kept = points.past[p.source].overlap;
   Approach a;
   a.overlap = g.overlap, a.slip = g.slip, a.position = g.position;
+  // The anchor of a point that slid was set for the middle of a step of the same length.
+  if (slid(points.past[p.source], p.friction) && std::abs(h - last_step_) > rounding * h) a.slip = 0.0;
   a.gap = (points.history[p.source].open ? std::max(0.0, kept) : kept) - g.overlap;
   a.guess = {h * points.past[p.source].dashpot, -h * points.past[p.source].friction};
   a.before = relative_velocity(p, before_);
+  // What overlaps and parts already, after another impact in its step, is not thrown apart.
+  if (points.history[p.source].open && a.before.x > 0.0) a.gap = std::max(a.gap, 0.0);
   const double given = relative_velocity(p, problem_.free_velocity).x - a.before.x;
   a.fast = a.before.x < -slowest_bounce * std::max(norm(model_.gravity) * h, std::abs(given));
   a.impact = a.fast && a.gap < -0.5 * h * a.before.x;
@@ -241,7 +250,6 @@ void ContactImpulses::commit_point(ContactPoints& points, const ImpulsePoint& p,
   PointHistory& history = points.history[p.source];
   PointPast& past = points.past[p.source];
   // Where it will be at the next mid-step if it slides; where it stuck first if it does not.
-  constexpr double rounding = 1e-9;
   if (std::abs(a.total.y) >= (1.0 - rounding) * p.friction * a.total.x)
     history.anchor = a.position + h * after.y;
   else if (history.open)
@@ -256,7 +264,8 @@ void ContactImpulses::commit_point(ContactPoints& points, const ImpulsePoint& p,
     past.overlap = a.gap + a.overlap;
 }
 
-Powers ContactImpulses::commit(ContactPoints& points, std::span<const Frame> frames, double h) const {
+Powers ContactImpulses::commit(ContactPoints& points, std::span<const Frame> frames, double h) {
+  last_step_ = h;
   Powers work{};
   std::size_t k = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {

@@ -86,7 +86,7 @@ class ContactImpulses {
   double input_of(const ImpulsePoint& point, Vec2 total) const;
   void commit_point(ContactPoints& points, const ImpulsePoint& point, const Approach& approach, Vec2 after,
                     double h) const;
-  Powers commit(ContactPoints& points, std::span<const Frame> frames, double h) const;
+  Powers commit(ContactPoints& points, std::span<const Frame> frames, double h);
 
   const Model& model_;
   std::vector<double> restitution_;  // by two material indices
@@ -96,6 +96,7 @@ class ContactImpulses {
   std::vector<Approach> approaches_;           // of the problem's points
   ImpulseStatistics statistics_;
   double deepest_ratio_ = 0.0;
+  double last_step_ = 0.0;  // s
   std::size_t deepest_point_ = 0;
   std::string trouble_;
 };

@@ -17,6 +17,8 @@ std::vector<Parameter> material_parameters(const engine::Material& standard) {
        "coefficient of friction, static and sliding"},
       {"damping_ratio", ratio, standard.damping_ratio, 0.0, 10.0,
        "damping of a contact point over its critical damping; 1: a corner lands without rebound"},
+      {"resting_damping_ratio", ratio, engine::ContactOptions{}.resting_damping_ratio, 0.0, 10.0,
+       "damping of a face that rests on both its ends, if less than damping_ratio"},
       {"restitution", ratio, 0.0, 0.0, 1.0,
        "coefficient of restitution of a contact point, instead of damping_ratio; 0: damping_ratio holds"},
       {"rocking_restitution", ratio, 0.0, 0.0, 1.0,
@@ -44,6 +46,7 @@ Building on_ground(const std::string& material_name, const ParameterValues& valu
   const double restitution = values("restitution");
   material.damping_ratio =
       restitution > 0.0 ? engine::damping_ratio_for_restitution(restitution) : values("damping_ratio");
+  building.scene.contact.resting_damping_ratio = values("resting_damping_ratio");
   if (values("rocking_restitution") > 0.0) material.rocking_restitution = values("rocking_restitution");
 
   engine::Terrain ground;
