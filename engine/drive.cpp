@@ -174,9 +174,10 @@ class Runner {
   }
 
   void note_step(double before) {
-    if (step_size() < before) ++outcome_.step_reductions;
-    outcome_.smallest_step = std::min(outcome_.smallest_step, std::min(before, largest_step()));
     countdown_ = 0;
+    if (step_size() >= before) return;
+    ++outcome_.step_reductions;
+    outcome_.smallest_step = std::min(outcome_.smallest_step, largest_step());
   }
 
   // Divides what is left of the interval anew if the contacts no longer allow the step.
