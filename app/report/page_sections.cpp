@@ -155,10 +155,19 @@ Html loss_table(const RunResult& run) {
 
 // ---- numbers ----
 
-std::string step_share(const Numerics& n) {
-  if (std::isinf(n.bound)) return "not bounded by stability";
-  return n.bound > 0 ? fixed(n.step / n.bound, 2) + " of the bound " + significant(1e6 * n.bound, 3) + " µs"
-                     : "no bound known";
+std::string microseconds(double time) {
+  return significant(1e6 * time, 3) + " µs";
+}
+
+// The step follows the contacts: the bound is that of the start.
+std::string step_words(const Numerics& n) {
+  std::string words = microseconds(n.step);
+  if (n.step_reductions > 0 && n.steps > 0)
+    words += " at the shortest, " + microseconds(n.end_time / static_cast<double>(n.steps)) + " in the mean";
+  if (std::isinf(n.bound)) return words + ", not bounded by stability";
+  if (!(n.bound > 0.0)) return words + ", no bound known";
+  if (n.step_reductions > 0) return words + "; bound at the start " + microseconds(n.bound);
+  return words + ", " + fixed(n.step / n.bound, 2) + " of the bound " + microseconds(n.bound);
 }
 
 std::string outcome_words(const Numerics& n) {
@@ -187,7 +196,7 @@ Html numerics_table(const RunResult& run) {
   return table("", {{"Quantity", "", false}, {"Value", "", false}},
                {{"Outcome", outcome_words(n)},
                 {"Integrator", n.integrator},
-                {"Step", significant(1e6 * n.step, 3) + " µs, " + step_share(n)},
+                {"Step", step_words(n)},
                 {"Steps", std::to_string(n.steps) + ", " + plural(n.step_reductions, "reduction")},
                 {"Energy error", energy_error_words(run)},
                 {"Deepest overlap", overlap_words(n)}});

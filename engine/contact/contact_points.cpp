@@ -212,10 +212,6 @@ inline PointForces touch(const ContactPoints& points, std::size_t i, const Point
   return f;
 }
 
-}  // namespace
-
-namespace {
-
 // A point at rest: it bears, and its dashpot adds next to nothing.
 bool is_calm(const ContactPoints& points, std::size_t i) {
   constexpr double next_to_nothing = 0.05;
