@@ -13,6 +13,27 @@ constexpr double energy_at_rest = 1e-6;
 // Rigid contacts store nothing: then rounding is all there is.
 constexpr double rounding = 1e-9;
 
+// Of the first terrain, or of the bodies' centre of mass.
+Vec2 common_velocity(const Model& model, const State& state, std::span<const Frame> frames) {
+  if (model.terrain_count > 0) return frames[model.body_count].velocity();
+  const std::size_t n = model.body_count;
+  Vec2 momentum;
+  for (std::size_t i = 0; i < n; ++i) momentum += model.mass[i] * Vec2{state.v()[i], state.v()[n + i]};
+  return (1.0 / model.total_mass()) * momentum;
+}
+
+double agitation_of(const Model& model, const State& state, std::span<const Frame> frames) {
+  const std::size_t n = model.body_count;
+  const auto v = state.v();
+  const Vec2 common = n > 0 ? common_velocity(model, state, frames) : Vec2{};
+  double energy = 0.0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec2 u = Vec2{v[i], v[n + i]} - common;
+    energy += 0.5 * model.mass[i] * dot(u, u) + 0.5 * model.inertia[i] * v[2 * n + i] * v[2 * n + i];
+  }
+  return energy;
+}
+
 double given(double at_start, double now) {
   return std::max(0.0, at_start - now);
 }
@@ -30,6 +51,7 @@ Energies energies_of(const Model& model, const State& state) {
     e.terms += model.mass[i] * (std::abs(model.gravity.x * q[i]) + std::abs(model.gravity.y * q[n + i]));
   }
   const auto frames = frames_of(model, state);
+  e.agitation = agitation_of(model, state, frames);
   if (!model.fields.empty()) e.field = field_energy(model.fields, frames);
   const StoredEnergy stored = stored_energy(state.contacts.points, frames);
   const double in_bonds = bond_energy(model, state.bonds, frames);
@@ -55,7 +77,7 @@ void EnergyTurnover::note(const Energies& energies) {
 
 double EnergyTurnover::relative_error() const {
   const double scale = std::max({turnover_, energy_at_rest * (first_.elastic + first_.kinetic),
-                                 std::abs(first_.field), rounding * first_.terms});
+                                 first_.agitation, std::abs(first_.field), rounding * first_.terms});
   return scale > 0.0 ? largest_error_ / scale : 0.0;
 }
 

@@ -19,9 +19,10 @@ namespace dougong::engine {
 
 struct Energies {
   double input = 0.0, kinetic = 0.0, gravity = 0.0, elastic = 0.0, friction = 0.0, damping = 0.0;
-  double field = 0.0;     // of gravitation, charges and the electric field
-  double fracture = 0.0;  // lost in bonds: broken, yielded, rubbed
-  double terms = 0.0;     // of all bodies in gravity, without signs: what rounding is measured by
+  double field = 0.0;      // of gravitation, charges and the electric field
+  double fracture = 0.0;   // lost in bonds: broken, yielded, rubbed
+  double agitation = 0.0;  // kinetic energy relative to the ground, or else to the common centre of mass
+  double terms = 0.0;      // of all bodies in gravity, without signs: what rounding is measured by
   double balance() const {
     return kinetic + gravity + field + elastic + friction + fracture + damping - input;
   }
@@ -39,9 +40,10 @@ class EnergyTurnover {
   double largest_error() const { return largest_error_; }  // J
   double largest_input() const { return largest_input_; }  // J, of |input|
   /// Greatest |error| over the turnover; a scene that turns nothing over, whose error is rounding, is
-  /// measured by a millionth of the elastic and kinetic energy it started with; bodies that orbit, which turn
-  /// all of theirs over and gain nothing, by the energy of the fields at the start; at least by 1e-9 of the
-  /// terms in gravity. 0 when there is none.
+  /// measured by a millionth of the elastic and kinetic energy it started with, bodies that fly about by the
+  /// agitation they started with (between elastic impacts all of it is kinetic); bodies that orbit, which
+  /// turn all of theirs over and gain nothing, by the energy of the fields at the start; at least by 1e-9 of
+  /// the terms in gravity. 0 when there is none.
   double relative_error() const;
   /// Error of the energies noted last (J).
   double error() const { return error_; }

@@ -86,7 +86,13 @@ Index facing_edge(const ConvexPolygon& polygon, Vec2 local_direction) {
   return best;
 }
 
-Feature corner_against_edge(const Pair& pair, Index corner_piece, Index corner, Index edge) {
+double edge_length(const ConvexPolygon& polygon, Index edge) {
+  return norm(polygon.vertex(edge + 1) - polygon.vertex(edge));
+}
+
+// The corner is the start or the end of its own edge, which runs against the other.
+Feature corner_against_edge(const Pair& pair, Index corner_piece, Index own_edge, bool at_end, Index edge) {
+  const Index corner = own_edge + (at_end ? 1 : 0);
   const Index edge_piece = pair.other(corner_piece);
   const auto& corners = polygon_of(pair.model, corner_piece);
   const auto& edges = polygon_of(pair.model, edge_piece);
@@ -97,13 +103,23 @@ Feature corner_against_edge(const Pair& pair, Index corner_piece, Index corner, 
   f.edge_point = edges.vertex(edge);
   f.edge_normal = edges.normal(edge);
   f.identity = identity_of(corner_piece == pair.b, corner % static_cast<Index>(corners.size()), edge);
+  f.edge_length = edge_length(edges, edge);
+  f.facing = (at_end ? 1.0 : -1.0) * edge_length(corners, own_edge);
   return f;
 }
 
-// One end of the clipped interval: the corner further in. Where both coincide, whichever it was.
+Vec2 normal_of_edge(const Pair& pair, const Feature& f) {
+  return pair.frames[f.edge_body].turned_to_world(f.edge_normal);
+}
+
+// One end of the clipped interval: the corner further in. Where both coincide, whichever it was: within the
+// margin if the faces are parallel, so that both overlap alike, and less the more they are tilted.
 Feature end_feature(const Pair& pair, const Feature& reference_corner, const Feature& incident_corner,
                     double reference_is_further_in_by) {
-  if (std::abs(reference_is_further_in_by) <= pair.margin) {
+  constexpr double parallel = 0.01;  // rad
+  const double tilt =
+      std::abs(cross(normal_of_edge(pair, reference_corner), normal_of_edge(pair, incident_corner)));
+  if (std::abs(reference_is_further_in_by) * std::max(tilt, parallel) <= parallel * pair.margin) {
     if (was_feature(pair.previous, reference_corner.identity)) return reference_corner;
     if (was_feature(pair.previous, incident_corner.identity)) return incident_corner;
   }
@@ -141,11 +157,11 @@ Manifold clip(const Pair& pair, ReferenceEdge reference) {
   m.at_seam = (ref_low > inc_low ? is_seam(ref, reference.edge, false) : is_seam(inc, incident, true)) ||
               (ref_high < inc_high ? is_seam(ref, reference.edge, true) : is_seam(inc, incident, false));
   m.features[0] =
-      end_feature(pair, corner_against_edge(pair, owner, reference.edge, incident),
-                  corner_against_edge(pair, other, incident + 1, reference.edge), ref_low - inc_low);
+      end_feature(pair, corner_against_edge(pair, owner, reference.edge, false, incident),
+                  corner_against_edge(pair, other, incident, true, reference.edge), ref_low - inc_low);
   m.features[1] =
-      end_feature(pair, corner_against_edge(pair, owner, reference.edge + 1, incident),
-                  corner_against_edge(pair, other, incident, reference.edge), inc_high - ref_high);
+      end_feature(pair, corner_against_edge(pair, owner, reference.edge, true, incident),
+                  corner_against_edge(pair, other, incident, false, reference.edge), inc_high - ref_high);
   const double ref_depth = distance_to_face(pair, owner, reference.edge);
   const double inc_depth = distance_to_face(pair, other, incident);
   m.depth_a = owner == pair.a ? ref_depth : inc_depth;
@@ -266,7 +282,7 @@ Manifold polygon_plane(const Pair& pair, Index polygon, Index plane) {
   m.count = 2;
   m.features = {corner_against_plane(pair, polygon, plane, edge),
                 corner_against_plane(pair, polygon, plane, edge + 1)};
-  m.length = std::abs(second.x - first.x);
+  m.length = edge_length(shape, edge);
   (polygon == pair.a ? m.depth_a : m.depth_b) = distance_to_face(pair, polygon, edge);
   return m;
 }

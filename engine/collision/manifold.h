@@ -30,6 +30,9 @@ struct Feature {
   double radius = 0.0;        // m, rounding of the corner (round: sum of both radii)
   double other_radius = 0.0;  // m, round only: the edge body's share of radius
   std::uint64_t identity = 0;
+  // Of two faces: the edge reaches from edge_point by edge_length along the turned normal; the corner's own
+  // face reaches from the corner by facing, along or against it. 0: round, or a face without ends.
+  double edge_length = 0.0, facing = 0.0;  // m
 };
 
 /// The reference edge chosen last time: kept while it is as good as the best, so that two equally deep

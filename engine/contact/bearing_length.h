@@ -12,13 +12,12 @@
 
 namespace dougong::engine {
 
-/// How the length of contact goes with the corner's position along the edge. Where both ends are corners of
-/// one body it does not.
+/// The corner's own face reaches from it by `facing` along the other's edge, which has an end on either side:
+/// what both have in common is the length of contact. Without facing it does not depend on the position.
 struct BearingLength {
-  double direction = 0.0;  // +1: grows with the position, -1: against it, 0: constant
-  double end = 0.0;        // m, position at which the length is zero
-  double nominal = 0.0;    // m
-  double reference = 1.0;  // m, bearing length for which the point's stiffness stands
+  double facing = 0.0, edge_length = 0.0;  // m
+  double nominal = 0.0;                    // m
+  double reference = 1.0;                  // m, bearing length for which the point's stiffness stands
 };
 
 /// Of the stiffness for the reference length, and its slope along the edge (1/m).
@@ -32,12 +31,24 @@ inline double bearing_length(double length, double nominal) {
   return std::max({0.0, length, std::min(nominal, bearing_ramp * length)});
 }
 
+/// Length of contact with the corner at `position` from the edge's start (m); negative beyond its ends.
+inline double contact_length(const BearingLength& b, double position) {
+  const double low = position + std::min(b.facing, 0.0), high = position + std::max(b.facing, 0.0);
+  return std::min(high, b.edge_length) - std::max(low, 0.0);
+}
+
+inline double contact_length_slope(const BearingLength& b, double position) {
+  const double low = position + std::min(b.facing, 0.0), high = position + std::max(b.facing, 0.0);
+  return (high < b.edge_length ? 1.0 : 0.0) - (low > 0.0 ? 1.0 : 0.0);
+}
+
 inline BearingShare bearing_share(const BearingLength& b, double position) {
-  if (b.direction == 0.0) return {};
-  const double length = b.direction * (position - b.end);
+  if (b.facing == 0.0) return {};
+  const double length = contact_length(b, position);
   if (length <= 0.0) return {0.0, 0.0};
   const double rise = bearing_ramp * length < b.nominal ? bearing_ramp : length < b.nominal ? 0.0 : 1.0;
-  return {bearing_length(length, b.nominal) / b.reference, b.direction * rise / b.reference};
+  return {bearing_length(length, b.nominal) / b.reference,
+          rise * contact_length_slope(b, position) / b.reference};
 }
 
 }  // namespace dougong::engine

@@ -111,6 +111,22 @@ RockingImpact rocking_impact(const Model& model, const Manifold& m, BodyPair bod
   return {model.mass[body], model.inertia[body], 0.5 * m.length, a_rocks ? m.depth_a : m.depth_b, law};
 }
 
+// Of the springs along the normals of a pair's two points (J).
+double energy_of(const ContactPoints& points, std::size_t first, std::span<const Frame> frames) {
+  double energy = 0.0;
+  for (const std::size_t i : {first, first + 1}) {
+    const PointGeometry g = geometry_of(points, i, frames);
+    if (g.overlap > 0.0) energy += 0.5 * law_at(points, i, g).normal * g.overlap * g.overlap;
+  }
+  return energy;
+}
+
+PointStiffness hardened(PointStiffness law, double factor) {
+  law.normal *= factor, law.tangential *= factor;
+  law.normal_damping *= std::sqrt(factor), law.tangential_damping *= std::sqrt(factor);
+  return law;
+}
+
 // The history that another feature hands over, with a spring that holds its slip.
 PointHistory history_with_slip(const ContactPoints& points, std::size_t i, std::span<const Frame> frames,
                                const PointHistory& kept, double slip) {
@@ -223,8 +239,9 @@ void ContactSet::write_points(const Model& model, std::span<const Frame> frames,
       continue;
     }
     const Feature& feature = pair.manifold.features[k];
-    const BearingLength length = rigid_ ? BearingLength{} : bearing_of(model, frames, pair.manifold, k);
-    points.set(i, feature, length, law_of(model, frames, pair, feature, length.reference), width);
+    const BearingLength length = rigid_ ? BearingLength{} : bearing_of(model, frames, pair.manifold, feature);
+    const PointStiffness law = law_of(model, frames, pair, feature, length.reference);
+    points.set(i, feature, length, hardened(law, pair.hardening), width);
     points.start(i, frames);
     for (Index l = 0; l < old.count; ++l) {
       if (old.features[l].identity != feature.identity) continue;
@@ -233,6 +250,20 @@ void ContactSet::write_points(const Model& model, std::span<const Frame> frames,
     }
   }
   if (!points.rocking.empty()) write_rocking(model, frames, pair);
+}
+
+// What a pair that touches has stored stays when other features take its contact over: a corner in a face
+// bears on as it did, though now another of its own faces turns to it.
+void ContactSet::keep_energy(std::span<const Frame> frames, ContactPair& pair, double stored) {
+  constexpr double rounding = 1e-9, most = 10.0;
+  const double now = energy_of(points, pair.first_point, frames);
+  if (stored == 0.0 || now == 0.0 || std::abs(stored / now - 1.0) < rounding) return;
+  const double hardening = std::clamp(pair.hardening * stored / now, 1.0 / most, most);
+  for (const Index k : {0, 1}) {
+    PointStiffness& law = points.stiffness[pair.first_point + k];
+    law = hardened(law, hardening / pair.hardening);
+  }
+  pair.hardening = hardening;
 }
 
 // A face with two corners can rock; the couple is found anew when the length of contact has changed.
@@ -278,7 +309,10 @@ bool ContactSet::refresh(const Model& model, std::span<const Frame> frames, Cont
            geometry_of(points, pair.first_point + k, frames).arm_edge;
   };
   const std::array<Vec2, 2> old_place{place(0), place(old.count > 1 ? 1 : 0)};
+  const double stored = energy_of(points, pair.first_point, frames);
+  if (stored == 0.0) pair.hardening = 1.0;
   write_points(model, frames, pair, old, kept);
+  keep_energy(frames, pair, stored);
   if (same_features(old, pair.manifold)) return false;
   for (Index k = 0; k < std::min(old.count, pair.manifold.count); ++k) {
     const auto identity = pair.manifold.features[k].identity;

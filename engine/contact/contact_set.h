@@ -16,8 +16,9 @@ struct ContactPair {
   BodyPair bodies;      // their owners, a < b
   double margin = 0.0;  // m
   Manifold manifold;
-  Index first_point = 0;  // of two, if active
-  bool active = false;    // within the margin
+  Index first_point = 0;   // of two, if active
+  bool active = false;     // within the margin
+  double hardening = 1.0;  // of its springs, so that they store what those before them did (keep_energy)
   // The couple of the pair's rocking restitution, and the length of contact it was found for.
   double rocking_couple = 0.0;   // N s
   double rocking_length = -1.0;  // m
@@ -69,6 +70,7 @@ class ContactSet {
                         const Feature& feature, double length) const;
   void write_points(const Model& model, std::span<const Frame> frames, ContactPair& pair, const Manifold& old,
                     std::span<const Memory> kept);
+  void keep_energy(std::span<const Frame> frames, ContactPair& pair, double stored);
   void write_rocking(const Model& model, std::span<const Frame> frames, ContactPair& pair);
   void lay_out_points(const Model& model, std::span<const Frame> frames);
   void index_bodies(std::size_t bodies);

@@ -70,19 +70,14 @@ double position_along(const Feature& f, Vec2 in_edge_body) {
 }  // namespace
 
 BearingLength bearing_of(const Model& model, std::span<const Frame> frames, const Manifold& manifold,
-                         Index point) {
-  const Feature &f = manifold.features[point], &other = manifold.features[1 - point];
+                         const Feature& f) {
   const double nominal = nominal_length(model, manifold, f.corner_body, f.edge_body);
-  const auto constant = [&](double length) {
-    return BearingLength{0.0, 0.0, nominal, bearing_length(length, nominal)};
-  };
-  if (manifold.count < 2 || model.contact.point_stiffness) return constant(manifold.length);
-  if (other.corner_body == f.corner_body) return constant(norm(other.corner - f.corner));
-  const double position =
-      position_along(f, frames[f.edge_body].to_local(frames[f.corner_body].to_world(f.corner)));
-  const double end = position_along(f, other.corner), length = std::abs(position - end);
-  if (length == 0.0) return constant(manifold.length);
-  return {position > end ? 1.0 : -1.0, end, nominal, bearing_length(length, nominal)};
+  BearingLength b{f.facing, f.edge_length, nominal, bearing_length(manifold.length, nominal)};
+  const double length = contact_length(
+      b, position_along(f, frames[f.edge_body].to_local(frames[f.corner_body].to_world(f.corner))));
+  if (model.contact.point_stiffness || length <= 0.0) b.facing = 0.0;
+  if (b.facing != 0.0) b.reference = bearing_length(length, nominal);
+  return b;
 }
 
 PointStiffness point_stiffness(const Model& model, std::span<const Frame> frames, const Manifold& manifold,

@@ -19,9 +19,9 @@
 
 namespace dougong::engine {
 
-/// Of a manifold's first or second point, at these poses.
+/// Of a point of a manifold at these poses.
 BearingLength bearing_of(const Model& model, std::span<const Frame> frames, const Manifold& manifold,
-                         Index point);
+                         const Feature& feature);
 
 /// For a bearing length (m), which round contacts have none of.
 PointStiffness point_stiffness(const Model& model, std::span<const Frame> frames, const Manifold& manifold,

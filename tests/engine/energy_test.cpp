@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <random>
 
 #include "engine/settle.h"
 #include "tests/scenes/running.h"
@@ -119,6 +120,47 @@ TEST(Energies, OfAContactWhoseLengthChangesUnderLoadAreKept) {
     const double stored = stored_at(to) - stored_at(from);
     EXPECT_NEAR((t.end.elastic - t.start.elastic) / stored, 1.0, 0.02) << from;
     EXPECT_LT(std::abs(t.end.balance() - t.start.balance()), 0.01 * std::abs(stored)) << from;
+  }
+}
+
+// Sixteen bricks of all sizes thrown about in a box, corner on corner and face on face, without any loss.
+Scene brick_gas(unsigned seed) {
+  Scene s = scenes::scene(0.0, 1e8, 0.0);
+  s.gravity = {};
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  for (int i = 0; i < 16; ++i) {
+    const double b = 0.1 + 0.05 * any(random), h = 0.1 + 0.05 * any(random);
+    s.bodies.push_back(scenes::block(b, h, {-0.9 + 0.6 * (i % 4), -0.9 + 0.6 * (i / 4)}, 3.0 * any(random)));
+    s.bodies.back().name = "brick " + std::to_string(i);
+    s.bodies.back().velocity = {2.0 * any(random), 2.0 * any(random)};
+    s.bodies.back().spin = 5.0 * any(random);
+  }
+  for (int side = 0; side < 4; ++side) {
+    Terrain wall;
+    wall.name = "wall " + std::to_string(side);
+    wall.shape = make_rectangle(4.4, 1.0);
+    wall.position = rotated({0.0, -1.7}, side * 0.5 * std::numbers::pi);
+    wall.angle = side * 0.5 * std::numbers::pi;
+    s.terrains.push_back(wall);
+  }
+  return s;
+}
+
+TEST(Energies, OfBricksThatCollideWithoutLossStay) {
+  for (const unsigned seed : {1u, 2u, 3u}) {
+    Running r(brick_gas(seed));
+    const Energies start = r.energies();
+    double worst = 0.0;
+    DriveOptions options = run_for(3.0);
+    options.step_fraction = 0.1;
+    const RunOutcome run = r.run(options, [&](const Sample&) {
+      worst = std::max(worst, std::abs(r.energies().balance() - start.balance()));
+      return Wish::go_on;
+    });
+    EXPECT_EQ(run.outcome, Outcome::completed) << seed << ": " << run.detail;
+    EXPECT_LT(worst, 0.01 * start.kinetic) << seed;
+    std::printf("bricks in a box, seed %u: error/energy %.2g\n", seed, worst / start.kinetic);
   }
 }
 

@@ -49,8 +49,16 @@ Scene trilith() {
   return s;
 }
 
+// Three blocks, each on a wider one: no corner stands over another, where the length of contact has a kink.
+Scene stepped_column() {
+  Scene s = scenes::column(3, 0.25, 0.4, 0.6, 1e8);
+  s.bodies[1].shape = make_rectangle(0.4, 0.8);
+  s.bodies[2].shape = make_rectangle(0.3, 0.8);
+  return s;
+}
+
 TEST(TangentStiffness, IsTheDerivativeOfTheForces) {
-  for (const Scene& scene : {scenes::column(3, 0.25, 0.4, 0.6, 1e8), trilith()}) {
+  for (const Scene& scene : {stepped_column(), trilith()}) {
     Running r = settled(scene);
     const Eigen::MatrixXd k(tangent_stiffness(r.model, r.state));
     const double scale = k.cwiseAbs().maxCoeff(), step = 1e-8;

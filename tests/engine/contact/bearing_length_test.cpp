@@ -19,18 +19,26 @@ TEST(BearingLength, IsTheLengthOrHalfAWidthReachedFromZero) {
   EXPECT_DOUBLE_EQ(bearing_length(0.02, 0.0), 0.02) << "at a seam";
 }
 
+// A face of 0.4 m over an edge of 1 m, from before its start to beyond its end.
+TEST(ContactLength, IsWhatBothFacesHaveInCommon) {
+  const BearingLength forward{0.4, 1.0, 0.0, 1.0}, backward{-0.4, 1.0, 0.0, 1.0};
+  const std::pair<double, double> at[] = {{-0.5, -0.1}, {-0.3, 0.1}, {0.3, 0.4}, {0.8, 0.2}, {1.1, -0.1}};
+  for (const auto& [position, length] : at) {
+    EXPECT_NEAR(contact_length(forward, position), length, 1e-15) << position;
+    EXPECT_NEAR(contact_length(backward, 1.0 - position), length, 1e-15) << position;
+  }
+}
+
 TEST(BearingShare, HasTheSlopeOfItsFactor) {
   constexpr double step = 1e-6;
-  for (const double direction : {-1.0, 1.0}) {
-    const BearingLength b{direction, 0.3, 0.5, 0.7};
-    for (const double length : {-0.1, 0.02, 0.2, 0.8}) {
-      const double position = 0.3 + direction * length;
+  for (const double facing : {-0.8, 0.8}) {
+    const BearingLength b{facing, 1.0, 0.5, 0.7};
+    for (const double position : {-0.9, -0.78, -0.6, -0.1, 0.1, 0.52, 0.98, 1.2, 1.4, 1.78, 1.9}) {
       const double slope =
           (bearing_share(b, position + step).factor - bearing_share(b, position - step).factor) /
           (2.0 * step);
-      EXPECT_NEAR(bearing_share(b, position).slope, slope, 1e-8) << direction << " " << length;
+      EXPECT_NEAR(bearing_share(b, position).slope, slope, 1e-8) << facing << " " << position;
     }
-    EXPECT_NEAR(bearing_share(b, 0.3 + direction * 0.7).factor, 1.0, 1e-12);
   }
 }
 
