@@ -123,9 +123,9 @@ inline bool collapses_around(const DrumColumn& c, double acceleration, double du
   return collapses(acceleration) && (collapses(1.005 * acceleration) || collapses(0.995 * acceleration));
 }
 
-/// The least acceleration around which the column collapses, looked for from `from` upwards in steps of the part
-/// `step` (a narrower range of collapse is missed), then bisected to a tenth of that (m/s2). Infinite if it
-/// stands up to `to`.
+/// The least acceleration around which the column collapses, looked for from `from` upwards in steps of the
+/// part `step` (a narrower range of collapse is missed), then bisected to a tenth of that (m/s2). Infinite if
+/// it stands up to `to`.
 inline double least_collapse(const DrumColumn& c, double duration, double from, double to, double step = 0.02,
                              double quiet_time = 6.0, double step_fraction = 0.25) {
   const auto collapses = [&](double a) {
