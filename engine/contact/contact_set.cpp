@@ -296,6 +296,7 @@ bool ContactSet::refresh(const Model& model, std::span<const Frame> frames, Cont
   const bool active = pair.manifold.count > 0;
   if (active != pair.active) {
     activity_changed = true;
+    pair.hardening = 1.0;
     return true;
   }
   if (!active) return false;
