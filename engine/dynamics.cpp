@@ -60,7 +60,7 @@ ContactTotals Dynamics::add_contacts(double t, bool commit) {
     std::fill(torques_.begin(), torques_.end(), 0.0);
     return {};
   }
-  loads_.resize(state_.contacts.points.size());
+  loads_.resize(state_.contacts.points.load_count());
   const bool weigh = commit && one_evaluation_ && t > last_begin_;
   const ContactTotals totals =
       contact_forces(state_.contacts.points, frames_, commit, loads_, t, weigh ? t - last_begin_ : 0.0);
@@ -68,6 +68,15 @@ ContactTotals Dynamics::add_contacts(double t, bool commit) {
   if (commit) last_begin_ = t;
   state_.contacts.gather(loads_, forces_, torques_);
   return totals;
+}
+
+double Dynamics::weighted_square(std::span<const double> a) const {
+  const std::size_t n = model_.body_count;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < n; ++i)
+    sum += model_.mass[i] * (a[i] * a[i] + a[n + i] * a[n + i]) +
+           model_.inertia[i] * a[2 * n + i] * a[2 * n + i];
+  return sum;
 }
 
 void Dynamics::make_contacts_rigid() {
@@ -105,7 +114,7 @@ void Dynamics::observe(double t, std::span<const double> q, std::span<const doub
 
 void Dynamics::add_mean_contact_forces(std::span<double> a) {
   const std::vector<Vec2> others = forces_;
-  loads_.resize(state_.contacts.points.size());
+  loads_.resize(state_.contacts.points.load_count());
   ContactImpulses::mean_forces(state_.contacts.points, frames_, loads_);
   state_.contacts.gather(loads_, forces_, torques_);
   const std::size_t n = model_.body_count;

@@ -38,6 +38,8 @@ class Dynamics {
   /// Work between the last two accepted steps' poses: the trapezoidal rule on the forces along the
   /// displacements.
   Powers work() const { return work_; }
+  /// Sum of m |a|^2, moments of inertia for the spins (N2/kg).
+  double weighted_square(std::span<const double> a) const;
   /// Friction and bonds: what a step begins with changes what comes after.
   bool has_memory() const { return state_.contacts.points.size() > 0 || !model_.bond_points.empty(); }
   /// The scene's extent at the start, the speed of a fall through it, and the bodies' radii as levers.
@@ -76,7 +78,7 @@ class Dynamics {
   bool one_evaluation_ = false, roused_ = false;
   double last_begin_ = std::numeric_limits<double>::infinity();  // s, of the last accepted step
   std::vector<Frame> frames_;
-  std::vector<PointLoad> loads_;
+  std::vector<PairLoad> loads_;
   std::vector<Vec2> forces_;
   std::vector<double> torques_;
   std::vector<Vec2> field_forces_;  // N; empty without fields

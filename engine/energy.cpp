@@ -56,6 +56,7 @@ Energies energies_of(const Model& model, const State& state) {
   const StoredEnergy stored = stored_energy(state.contacts.points, frames);
   const double in_bonds = bond_energy(model, state.bonds, frames);
   e.elastic = stored.normal + stored.tangential + in_bonds + joint_energy(model, frames);
+  e.stagger = state.work.stagger;
   e.input = state.work.input;
   e.damping = state.work.damping;
   e.friction = state.work.tangential - stored.tangential;

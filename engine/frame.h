@@ -14,6 +14,8 @@ struct alignas(64) Frame {
   double spin = 0.0;          // rad/s
   double angle = 0.0;         // rad
 
+  /// Sets the angle (rad) with its sine and cosine (sine_cosine.h).
+  void turn_to(double to);
   Vec2 position() const { return {x, y}; }
   Vec2 velocity() const { return {vx, vy}; }
   Vec2 turned_to_world(Vec2 local) const { return {c * local.x - s * local.y, s * local.x + c * local.y}; }
@@ -21,10 +23,6 @@ struct alignas(64) Frame {
   Vec2 to_world(Vec2 local) const { return position() + turned_to_world(local); }
   Vec2 to_local(Vec2 world) const { return turned_to_local(world - position()); }
 };
-
-/// Sine and cosine without the maths library, so that every machine gives the same bits.
-/// Error below 1e-15 for |angle| < 1e5 rad.
-void sine_cosine(double angle, double& sine, double& cosine);
 
 /// Frames of bodies from q = [x | y | angle] and v = [vx | vy | spin], each body_count long.
 void place_bodies(const Model& model, std::span<const double> q, std::span<const double> v,

@@ -96,8 +96,9 @@ Matrix6 bond_tangent(const BondPoint& p, const BondHistory& history, const BondG
   PointGeometry g;
   g.normal = b.normal, g.arm_corner = b.arm_b, g.arm_edge = b.arm_a;
   const double e = b.opening - history.plastic;
-  if (history.broken && e > 0.0) return Matrix6::Zero();
-  const double k = e > 0.0 ? softened_tension(p.law, e, std::max(e, history.widest)) / e : p.law.normal;
+  if (history.gone() || (history.broken && e > 0.0)) return Matrix6::Zero();
+  const double closed = history.joined ? p.law.normal : 0.0;
+  const double k = e > 0.0 ? softened_tension(p.law, e, std::max(e, history.widest)) / e : closed;
   const Vector6 jn = jacobian(g.normal, g), jt = jacobian(turned(g.normal), g);
   return k * jn * jn.transpose() + k * e * gap_curvature(g) + p.law.tangential * jt * jt.transpose();
 }
@@ -154,7 +155,7 @@ Eigen::SparseMatrix<double> tangent_stiffness(const Model& model, const State& s
   for (std::size_t i = 0; i < points.size(); ++i) {
     const PointGeometry g = geometry_of(points, i, frames);
     if (g.overlap > 0.0)
-      scatter(model, points.corner_body[i], points.edge_body[i], point_tangent(points.stiffness[i], g),
+      scatter(model, points.corner_body[i], points.edge_body[i], point_tangent(points.stiffness(i), g),
               entries);
   }
   scatter_links(model, state, frames, entries);

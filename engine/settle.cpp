@@ -26,9 +26,9 @@ void note_movement(const Model& model, const std::vector<double>& before, const 
   }
 }
 
-void start_afresh(const Model& model, State& state) {
+void start_afresh(const Model& model, State& state, std::span<const double> velocities) {
   state.time = 0.0;
-  std::fill(state.v().begin(), state.v().end(), 0.0);
+  std::copy(velocities.begin(), velocities.end(), state.v().begin());
   state.work = {};
   // What the springs store now has been lost to nothing.
   const auto frames = frames_of(model, state, true);
@@ -51,6 +51,8 @@ SettleReport settle(const Model& model, State& state, const SettleOptions& optio
   drive_options.terrain_held_still = true;
   drive_options.local_damping = options.local_damping;
   const std::vector<double> before = state.y;
+  const std::vector<double> velocities(state.v().begin(), state.v().end());
+  std::fill(state.v().begin(), state.v().end(), 0.0);
   const RunOutcome run = drive(model, state, drive_options, [&](const Sample& sample) {
     report.unbalanced_ratio = largest_translation(model, sample.accelerations) / gravity;
     // At t = 0 nothing touches yet: free fall is unbalanced by 1.
@@ -62,7 +64,7 @@ SettleReport settle(const Model& model, State& state, const SettleOptions& optio
   report.outcome = run.outcome;
   report.detail = run.detail;
   report.duration = run.end_time;
-  start_afresh(model, state);
+  start_afresh(model, state, velocities);
   return report;
 }
 

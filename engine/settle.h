@@ -28,7 +28,8 @@ struct SettleReport {
   std::string moved_most;          // name of that body
 };
 
-/// Leaves the state at rest at t = 0, with no work done. Without gravity there is nothing to settle.
+/// Comes to rest under gravity with the terrain held still. Leaves the state at t = 0, with no work done and
+/// the velocities that it had before. Without gravity there is nothing to settle.
 SettleReport settle(const Model& model, State& state, const SettleOptions& options = {});
 
 }  // namespace dougong::engine

@@ -82,8 +82,8 @@ struct Sums {
 void add_point(const Model& model, const ContactPoints& points, std::size_t i, std::span<const Frame> frames,
                Index first, Sums& sums) {
   const PointGeometry g = geometry_of(points, i, frames);
-  const PointStiffness& law = points.stiffness[i];
-  const double damping = points.history[i].resting ? law.resting : 1.0;
+  const PointStiffness law = points.stiffness(i);
+  const double damping = damping_share(points, i);
   const bool corner_first = points.corner_body[i] == first;
   Strut s{first,
           corner_first ? points.edge_body[i] : points.corner_body[i],
@@ -95,20 +95,24 @@ void add_point(const Model& model, const ContactPoints& points, std::size_t i, s
   sums.add(model, s);
   s.direction = turned(g.normal), s.stiffness = law.tangential, s.damping = damping * law.tangential_damping;
   sums.add(model, s);
+  // A force that acts inside of its corner has less lever than counted here.
   if (points.rocking.empty() || points.rocking[i].couple == 0.0) return;
   const Row turn_a{0.0, 0.0, 1.0 / std::sqrt(model.inertia[s.a])};
   const Row turn_b{0.0, 0.0, -1.0 / std::sqrt(model.inertia[s.b])};
   sums.damping.add(points.rocking[i].couple * points.rocking[i].length, turn_a, turn_b);
 }
 
-void add_bond_points(const Model& model, std::span<const Frame> frames, Sums& sums) {
+void add_bond_point(const Model& model, const BondPoint& p, const BondGeometry& g, Sums& sums) {
+  sums.add(model, {p.a, p.b, g.normal, g.arm_a, g.arm_b, p.law.normal, p.law.normal_damping});
+  sums.add(model, {p.a, p.b, turned(g.normal), g.arm_a, g.arm_b, p.law.tangential, p.law.tangential_damping});
+}
+
+void add_bond_points(const Model& model, const BondState& state, std::span<const Frame> frames, Sums& sums) {
   for (std::size_t i = 0; i < model.bond_points.size(); ++i) {
     const BondPoint& p = model.bond_points[i];
     const BondGeometry g = bond_geometry(p, frames);
     if (i % 2 == 0) sums.begin_pair(p.a, p.b);
-    sums.add(model, {p.a, p.b, g.normal, g.arm_a, g.arm_b, p.law.normal, p.law.normal_damping});
-    sums.add(model,
-             {p.a, p.b, turned(g.normal), g.arm_a, g.arm_b, p.law.tangential, p.law.tangential_damping});
+    if (!state.history[i].gone()) add_bond_point(model, p, g, sums);
     if (i % 2 == 1) sums.end_pair();
   }
 }
@@ -140,7 +144,7 @@ SpectralBound spectral_bound(const Model& model, const State& state, std::span<c
       add_point(model, state.contacts.points, pair.first_point + k, frames, pair.bodies.a, sums);
     sums.end_pair();
   }
-  add_bond_points(model, frames, sums);
+  add_bond_points(model, state.bonds, frames, sums);
   for (const JointElement& joint : model.joints) add_joint(model, joint, frames, sums);
   SpectralBound bound{sums.stiffness.largest(), sums.damping.largest()};
   if (model.fields.empty()) return bound;

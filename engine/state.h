@@ -15,6 +15,7 @@ struct Work {
   double damping = 0.0;     // taken by the dashpots
   double tangential = 0.0;  // taken by the tangential forces less their dashpots: stored slip and friction
   double bonds = 0.0;       // taken by the springs of bonds: stored, and lost to fracture, yield and friction
+  double stagger = 0.0;     // kinetic energy at the ends of steps beyond the method's own (velocity_verlet.h)
 };
 
 struct State {

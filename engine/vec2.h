@@ -5,31 +5,51 @@
 
 namespace dougong::engine {
 
-struct Vec2 {
-  double x = 0.0;
-  double y = 0.0;
+/// Of doubles, or of several at once (lanes.h).
+template <class R>
+struct VecOf {
+  R x{};
+  R y{};
 
-  constexpr Vec2& operator+=(Vec2 o) { return x += o.x, y += o.y, *this; }
-  constexpr Vec2& operator-=(Vec2 o) { return x -= o.x, y -= o.y, *this; }
-  friend constexpr Vec2 operator+(Vec2 a, Vec2 b) { return {a.x + b.x, a.y + b.y}; }
-  friend constexpr Vec2 operator-(Vec2 a, Vec2 b) { return {a.x - b.x, a.y - b.y}; }
-  friend constexpr Vec2 operator-(Vec2 a) { return {-a.x, -a.y}; }
-  friend constexpr Vec2 operator*(double s, Vec2 a) { return {s * a.x, s * a.y}; }
-  friend constexpr Vec2 operator*(Vec2 a, double s) { return {s * a.x, s * a.y}; }
-  friend constexpr bool operator==(Vec2 a, Vec2 b) = default;
+  constexpr VecOf& operator+=(VecOf o) { return x += o.x, y += o.y, *this; }
+  constexpr VecOf& operator-=(VecOf o) { return x -= o.x, y -= o.y, *this; }
+#define DOUGONG_LANEWISE [[gnu::always_inline]] friend constexpr
+  DOUGONG_LANEWISE VecOf operator+(VecOf a, VecOf b) {
+    return {a.x + b.x, a.y + b.y};
+  }
+  DOUGONG_LANEWISE VecOf operator-(VecOf a, VecOf b) {
+    return {a.x - b.x, a.y - b.y};
+  }
+  DOUGONG_LANEWISE VecOf operator-(VecOf a) {
+    return {-a.x, -a.y};
+  }
+  DOUGONG_LANEWISE VecOf operator*(R s, VecOf a) {
+    return {s * a.x, s * a.y};
+  }
+  DOUGONG_LANEWISE VecOf operator*(VecOf a, R s) {
+    return {s * a.x, s * a.y};
+  }
+#undef DOUGONG_LANEWISE
+  friend constexpr bool operator==(VecOf a, VecOf b) = default;
 };
 
-constexpr double dot(Vec2 a, Vec2 b) {
+using Vec2 = VecOf<double>;
+
+template <class R>
+[[gnu::always_inline]] inline constexpr R dot(VecOf<R> a, VecOf<R> b) {
   return a.x * b.x + a.y * b.y;
 }
 /// z component of the cross product of two plane vectors.
-constexpr double cross(Vec2 a, Vec2 b) {
+template <class R>
+[[gnu::always_inline]] inline constexpr R cross(VecOf<R> a, VecOf<R> b) {
   return a.x * b.y - a.y * b.x;
 }
 /// The vector turned by +90 degrees: the velocity field of a unit spin.
-constexpr Vec2 turned(Vec2 a) {
+template <class R>
+[[gnu::always_inline]] inline constexpr VecOf<R> turned(VecOf<R> a) {
   return {-a.y, a.x};
 }
+
 inline double norm(Vec2 a) {
   return std::sqrt(dot(a, a));
 }

@@ -6,9 +6,12 @@
 //
 // Tension ends in one of three ways. Brittle: the point breaks at N = Ft. Softening: from the opening
 // w0 = Ft/kn the envelope falls along a straight line to zero at wf = 2 Gf A / Ft, unloading to the origin
-// (Hillerborg, Modeer and Petersson, Cement Concr. Res. 6 (1976) 773-781). Ductile: N stays at Fy and p
-// grows; slip beyond the shear strength then flows too. Otherwise shear beyond its strength breaks the point.
-// A broken point carries compression and Coulomb's friction only, as a contact does.
+// (Hillerborg, Modeer and Petersson, Cement Concr. Res. 6 (1976) 773-781). Ductile, if Fy < Ft: N stays at Fy
+// and p grows; slip beyond the shear strength then flows too. Otherwise shear beyond its strength breaks the
+// point.
+// A face that is joined bears compression by its points. Once a point has left the elastic range the face has
+// a crack: the bodies touch there as contacts do (contact/contact_set.h), which bear compression and
+// friction, and what is left of the points holds tension and cohesion only. A broken point then does nothing.
 // Units: N and m; the stiffness of the point's tributary area, its strengths times that area.
 #pragma once
 
@@ -26,7 +29,7 @@ struct BondStiffness {
   double yield = std::numeric_limits<double>::infinity();     // N, Fy
   double friction = 0.0;                                      // -, mu
   double last_opening = 0.0;                                  // m, wf; 0: brittle
-  bool ductile() const { return yield < std::numeric_limits<double>::infinity(); }
+  bool ductile() const { return yield < tension; }
 };
 
 struct BondHistory {
@@ -34,6 +37,9 @@ struct BondHistory {
   double widest = 0.0;   // m, greatest opening less the plastic one
   double anchor = 0.0;   // m, where the shear spring is relaxed
   bool broken = false;
+  bool joined = true;  // the face has no crack: its points bear compression
+  /// Nothing is left of it: the contacts bear what there is to bear.
+  bool gone() const { return broken && !joined; }
 };
 
 /// Where a point stands: opening and slip (m) and their rates (m/s).
@@ -65,7 +71,7 @@ inline double soundness(const BondStiffness& k, const BondHistory& h) {
 
 inline double bond_tension(const BondStiffness& k, double opening, BondHistory& h) {
   const double e = opening - h.plastic, elastic = k.normal * e;
-  if (e <= 0.0) return elastic;
+  if (e <= 0.0) return h.joined ? elastic : 0.0;
   if (h.broken) return 0.0;
   if (k.ductile()) {
     h.plastic += std::max(0.0, elastic - k.yield) / k.normal;
@@ -77,6 +83,11 @@ inline double bond_tension(const BondStiffness& k, double opening, BondHistory& 
   return h.broken ? 0.0 : softened_tension(k, e, h.widest);
 }
 
+/// Whether the point has left the elastic range.
+inline bool has_cracked(const BondStiffness& k, const BondHistory& h) {
+  return h.broken || h.plastic != 0.0 || h.widest * k.normal > k.tension;
+}
+
 inline double shear_limit(const BondStiffness& k, double normal, const BondHistory& h) {
   const double held = h.broken ? 0.0 : k.cohesion * soundness(k, h);
   return std::max(0.0, held - k.friction * (h.broken ? std::min(0.0, normal) : normal));
@@ -86,6 +97,7 @@ inline BondForce bond_force(const BondStiffness& k, const BondMotion& m, const B
   BondForce f;
   f.history = history;
   BondHistory& h = f.history;
+  if (h.gone()) return f;
   f.normal = bond_tension(k, m.opening, h);
   double limit = shear_limit(k, f.normal, h);
   const double wanted = k.tangential * (m.slip - h.anchor);
@@ -101,7 +113,8 @@ inline BondForce bond_force(const BondStiffness& k, const BondMotion& m, const B
   if (h.broken && !closed) return f;
   // A flowing bar has no viscosity, a softened face as much as it is sound; a broken one never pulls.
   const bool flows = h.plastic != history.plastic;
-  f.normal_dashpot = flows ? 0.0 : (closed ? 1.0 : soundness(k, h)) * k.normal_damping * m.opening_rate;
+  const double viscosity = !closed ? soundness(k, h) : h.joined ? 1.0 : 0.0;
+  f.normal_dashpot = flows ? 0.0 : viscosity * k.normal_damping * m.opening_rate;
   if (h.broken) f.normal_dashpot = std::min(f.normal_dashpot, -f.normal);
   const double viscous = k.tangential_damping * m.slip_rate;
   f.tangential_dashpot = std::clamp(f.tangential + viscous, -limit, limit) - f.tangential;
@@ -110,8 +123,10 @@ inline BondForce bond_force(const BondStiffness& k, const BondMotion& m, const B
 
 /// Energy that the springs of a point can give back (J).
 inline double bond_energy(const BondStiffness& k, double opening, double slip, const BondHistory& h) {
+  if (h.gone()) return 0.0;
   const double e = opening - h.plastic;
-  const double normal = e <= 0.0 ? k.normal * e : h.broken ? 0.0 : softened_tension(k, e, h.widest);
+  const double closed = h.joined ? k.normal * e : 0.0;
+  const double normal = e <= 0.0 ? closed : h.broken ? 0.0 : softened_tension(k, e, h.widest);
   const double s = slip - h.anchor;
   return 0.5 * normal * e + 0.5 * k.tangential * s * s;
 }

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <stdexcept>
 
 #include "engine/bonds/owners.h"
+#include "engine/collision/manifold.h"
 
 namespace dougong::engine {
 namespace {
@@ -138,14 +140,76 @@ std::vector<BondPoint> compile_bonds(const Scene& scene, const Model& model) {
   return points;
 }
 
+namespace {
+
+BodyPair pair_of(const BondPoint& p) {
+  return {std::min(p.a, p.b), std::max(p.a, p.b)};
+}
+
+// The points stand L/sqrt(3) apart.
+double length_of(const Model& model, std::size_t first_point) {
+  return std::sqrt(3.0) *
+         norm(model.bond_points[first_point + 1].anchor_b - model.bond_points[first_point].anchor_b);
+}
+
+// The colliders of every owner, in their order.
+std::vector<std::vector<Index>> colliders_by_owner(const Model& model) {
+  std::vector<std::vector<Index>> of(model.size());
+  for (Index c = 0; c < model.colliders.size(); ++c) of[model.colliders[c].owner].push_back(c);
+  return of;
+}
+
+// Of the faces with which the colliders of two bodies meet (m).
+double meeting_length(const Model& model, std::span<const Frame> frames, BodyPair bodies,
+                      const std::vector<std::vector<Index>>& colliders) {
+  constexpr double margin_ratio = 1e-3;
+  const double margin = margin_ratio * std::min(model.minimum_width[bodies.a], model.minimum_width[bodies.b]);
+  double length = 0.0;
+  for (const Index a : colliders[bodies.a])
+    for (const Index b : colliders[bodies.b])
+      length += find_manifold(model, frames, std::min(a, b), std::max(a, b), margin, {}).length;
+  return length;
+}
+
+}  // namespace
+
 BondState initial_bonds(const Model& model, std::span<const Frame> frames) {
+  constexpr double nearly_all = 0.95;
   BondState state;
   state.history.resize(model.bond_points.size());
-  for (const BondPoint& point : model.bond_points) {
+  std::map<BodyPair, double> bonded;
+  for (std::size_t i = 0; i < model.bond_points.size(); ++i) {
+    const BondPoint& point = model.bond_points[i];
     const BondGeometry g = bond_geometry(point, frames);
     state.past.push_back({g.opening, g.slip});
+    if (i % 2 == 0) bonded[pair_of(point)] += length_of(model, i);
   }
+  const auto colliders = colliders_by_owner(model);
+  for (auto& [bodies, length] : bonded)
+    if (length < nearly_all * meeting_length(model, frames, bodies, colliders)) length = 0.0;
+  for (std::size_t i = 0; i < model.bond_points.size(); ++i)
+    state.history[i].joined = bonded[pair_of(model.bond_points[i])] > 0.0;
   return state;
+}
+
+std::vector<ReleasedPair> release_cracked(const Model& model, BondState& state,
+                                          std::span<const Frame> frames) {
+  std::map<BodyPair, double> released;
+  for (std::size_t i = 0; i < model.bond_points.size(); ++i)
+    if (state.history[i].joined && has_cracked(model.bond_points[i].law, state.history[i]))
+      released[pair_of(model.bond_points[i])] = 0.0;
+  for (std::size_t i = 0; i < model.bond_points.size(); ++i) {
+    const BondPoint& point = model.bond_points[i];
+    const auto pair = released.find(pair_of(point));
+    if (pair == released.end() || !state.history[i].joined) continue;
+    const double closed = std::min(0.0, bond_geometry(point, frames).opening - state.history[i].plastic);
+    pair->second += 0.5 * point.law.normal * closed * closed;
+    state.history[i].joined = false;
+  }
+  state.cracked = false;
+  std::vector<ReleasedPair> pairs;
+  for (const auto& [bodies, energy] : released) pairs.push_back({bodies, energy});
+  return pairs;
 }
 
 std::vector<BodyPair> held_pairs(const Model& model, const BondState& state) {
@@ -154,7 +218,7 @@ std::vector<BodyPair> held_pairs(const Model& model, const BondState& state) {
   for (const JointElement& joint : model.joints)
     if (!joint.axial()) hold(joint.a, joint.b);
   for (std::size_t i = 0; i < model.bond_points.size(); ++i)
-    if (!state.history[i].broken) hold(model.bond_points[i].a, model.bond_points[i].b);
+    if (state.history[i].joined) hold(model.bond_points[i].a, model.bond_points[i].b);
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   return pairs;
@@ -175,6 +239,7 @@ BondTotals add_bond_forces(const Model& model, BondState& state, std::span<const
                            std::span<Vec2> forces, std::span<double> torques) {
   BondTotals totals;
   for (std::size_t i = 0; i < model.bond_points.size(); ++i) {
+    if (state.history[i].gone()) continue;
     const BondPoint& p = model.bond_points[i];
     const BondGeometry g = bond_geometry(p, frames);
     const BondMotion m = motion_of(p, g, frames);
@@ -187,6 +252,7 @@ BondTotals add_bond_forces(const Model& model, BondState& state, std::span<const
     totals.damping_power += f.normal_dashpot * m.opening_rate + f.tangential_dashpot * m.slip_rate;
     if (!commit) continue;
     state.broken += f.history.broken && !state.history[i].broken;
+    state.cracked |= f.history.joined && has_cracked(p.law, f.history);
     commit_point(m, f, state.history[i], state.past[i], totals);
   }
   return totals;

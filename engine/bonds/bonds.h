@@ -29,6 +29,7 @@ struct BondState {
   std::vector<BondHistory> history;  // one a point
   std::vector<BondPast> past;
   std::size_t broken = 0;  // points
+  bool cracked = false;    // a face that was joined has a crack: release_cracked() is due
 };
 
 struct BondGeometry {
@@ -46,9 +47,19 @@ struct BondTotals {
 /// naming the bond, for owners that do not exist, a face without length or a stiffness or strength that is
 /// not positive.
 std::vector<BondPoint> compile_bonds(const Scene& scene, const Model& model);
+/// Faces longer than what is bonded of them are not joined: they touch beside their bonds from the start.
 BondState initial_bonds(const Model& model, std::span<const Frame> frames);
 
-/// Sorted pairs that do not touch because a pin, a weld or a bond with a sound point holds them.
+/// A pair of bodies whose face was joined, and the energy that its points had stored in compression (J).
+struct ReleasedPair {
+  BodyPair bodies;
+  double energy = 0.0;
+};
+/// Leaves compression and friction to the contacts wherever a point has cracked.
+std::vector<ReleasedPair> release_cracked(const Model& model, BondState& state,
+                                          std::span<const Frame> frames);
+
+/// Sorted pairs that do not touch because a pin, a weld or a joined face holds them.
 std::vector<BodyPair> held_pairs(const Model& model, const BondState& state);
 
 BondGeometry bond_geometry(const BondPoint& point, std::span<const Frame> frames);

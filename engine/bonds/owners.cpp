@@ -7,8 +7,8 @@ namespace {
 
 Frame frame_at(Vec2 position, double angle) {
   Frame frame;
-  frame.x = position.x, frame.y = position.y, frame.angle = angle;
-  sine_cosine(angle, frame.s, frame.c);
+  frame.x = position.x, frame.y = position.y;
+  frame.turn_to(angle);
   return frame;
 }
 

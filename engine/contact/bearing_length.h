@@ -8,47 +8,56 @@
 // goes under load neither makes energy nor loses any.
 #pragma once
 
-#include <algorithm>
+#include "engine/lanes.h"
 
 namespace dougong::engine {
 
 /// The corner's own face reaches from it by `facing` along the other's edge, which has an end on either side:
 /// what both have in common is the length of contact. Without facing it does not depend on the position.
-struct BearingLength {
-  double facing = 0.0, edge_length = 0.0;  // m
-  double nominal = 0.0;                    // m
-  double reference = 1.0;                  // m, bearing length for which the point's stiffness stands
+template <class R>
+struct BearingLengthOf {
+  R facing{}, edge_length{};    // m
+  R nominal{};                  // m
+  R per_reference = R{} + 1.0;  // 1/m, over the bearing length for which the point's stiffness stands
 };
+using BearingLength = BearingLengthOf<double>;
 
 /// Of the stiffness for the reference length, and its slope along the edge (1/m).
-struct BearingShare {
-  double factor = 1.0, slope = 0.0;
+template <class R>
+struct BearingShareOf {
+  R factor = R{} + 1.0, slope{};
 };
 
 constexpr double bearing_ramp = 10.0;  // so fast does a short contact reach the nominal length
 
-inline double bearing_length(double length, double nominal) {
-  return std::max({0.0, length, std::min(nominal, bearing_ramp * length)});
+template <class R>
+[[gnu::always_inline]] inline R bearing_length(R length, R nominal) {
+  return greater(greater(R{}, length), lesser(nominal, bearing_ramp * length));
 }
 
 /// Length of contact with the corner at `position` from the edge's start (m); negative beyond its ends.
-inline double contact_length(const BearingLength& b, double position) {
-  const double low = position + std::min(b.facing, 0.0), high = position + std::max(b.facing, 0.0);
-  return std::min(high, b.edge_length) - std::max(low, 0.0);
+template <class R>
+[[gnu::always_inline]] inline R contact_length(const BearingLengthOf<R>& b, R position) {
+  const R low = position + lesser(b.facing, R{}), high = position + greater(b.facing, R{});
+  return lesser(high, b.edge_length) - greater(low, R{});
 }
 
-inline double contact_length_slope(const BearingLength& b, double position) {
-  const double low = position + std::min(b.facing, 0.0), high = position + std::max(b.facing, 0.0);
-  return (high < b.edge_length ? 1.0 : 0.0) - (low > 0.0 ? 1.0 : 0.0);
+template <class R>
+[[gnu::always_inline]] inline R contact_length_slope(const BearingLengthOf<R>& b, R position) {
+  const R low = position + lesser(b.facing, R{}), high = position + greater(b.facing, R{}), one = R{} + 1.0;
+  return where_less(high, b.edge_length, one, R{}) - where_positive(low, one, R{});
 }
 
-inline BearingShare bearing_share(const BearingLength& b, double position) {
-  if (b.facing == 0.0) return {};
-  const double length = contact_length(b, position);
-  if (length <= 0.0) return {0.0, 0.0};
-  const double rise = bearing_ramp * length < b.nominal ? bearing_ramp : length < b.nominal ? 0.0 : 1.0;
-  return {bearing_length(length, b.nominal) / b.reference,
-          rise * contact_length_slope(b, position) / b.reference};
+template <class R>
+[[gnu::always_inline]] inline BearingShareOf<R> bearing_share(const BearingLengthOf<R>& b, R position) {
+  const R length = contact_length(b, position), one = R{} + 1.0;
+  const R rise = where_less(bearing_ramp * length, b.nominal, all_lanes<R>(bearing_ramp),
+                            where_less(length, b.nominal, R{}, one));
+  const R factor = bearing_length(length, b.nominal) * b.per_reference;
+  const R slope = rise * contact_length_slope(b, position) * b.per_reference;
+  const R faces = magnitude(b.facing);
+  return {where_positive(faces, where_positive(length, factor, R{}), one),
+          where_positive(faces, where_positive(length, slope, R{}), R{})};
 }
 
 }  // namespace dougong::engine

@@ -2,280 +2,240 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "engine/kernels.h"
 
 namespace dougong::engine {
 namespace {
 
-// The part of a corner-edge geometry that tells whether the point touches at all.
-struct Approach {
-  Vec2 normal, arm;  // arm: from the corner body's centroid to the corner
-  Vec2 reach;        // from the edge body's centroid to the corner
-  double overlap;
+double flag(bool condition) {
+  return condition ? 1.0 : 0.0;
+}
+
+PoseOf<double> pose_of(const Frame& f) {
+  return {f.x, f.y, f.c, f.s, f.vx, f.vy, f.spin, f.angle};
+}
+
+PointRatesOf<double> rates_of(const PointGeometry& g, const Frame& corner, const Frame& edge) {
+  return point_rates(g, pose_of(corner), pose_of(edge));
+}
+
+PointMemoryOf<double> memory_of(const PointHistory& h) {
+  return {h.anchor, flag(h.open), flag(h.resting)};
+}
+
+// Of one point, and what it does at the poses.
+struct PointAction {
+  PointGeometry geometry;
+  PointRatesOf<double> rate;
+  PointForceOf<double> force;
 };
 
-inline Approach approach_of(const ContactPoints& points, std::size_t i, const Frame& corner,
-                            const Frame& edge) {
-  Approach a;
-  a.normal = edge.turned_to_world(points.edge_normal[i]);
-  a.arm = corner.turned_to_world(points.corner[i]);
-  a.reach = corner.position() - edge.position() + a.arm;
-  a.overlap = points.radius[i] + points.edge_offset[i].x - dot(a.normal, a.reach);
+PointAction action_of(const ContactPoints& points, std::size_t i, std::span<const Frame> frames,
+                      double step) {
+  PointAction a;
+  a.geometry = geometry_of(points, i, frames);
+  a.rate = rates_of(a.geometry, frames[points.corner_body[i]], frames[points.edge_body[i]]);
+  a.force = point_force(points.stiffness(i), points.bearing(i), a.geometry, a.rate,
+                        memory_of(points.history(i)), step);
   return a;
 }
 
-inline PointGeometry corner_edge_geometry(const ContactPoints& points, std::size_t i, const Approach& a,
-                                          const Frame& corner, const Frame& edge) {
-  const double rho = points.radius[i];
-  const PointHistory& past = points.history[i];
-  PointGeometry g;
-  g.normal = a.normal;
-  g.overlap = a.overlap;
-  g.arm_corner = a.arm - rho * a.normal;
-  g.arm_edge = a.reach - rho * a.normal;
-  g.position = dot(turned(a.normal), a.reach) - points.edge_offset[i].y - rho * (corner.angle - edge.angle);
-  g.slip = past.open ? 0.0 : g.position - past.anchor;
-  return g;
-}
-
-PointGeometry round_geometry(const ContactPoints& points, std::size_t i, const Frame& corner,
-                             const Frame& edge) {
-  const PointHistory& past = points.history[i];
-  const Vec2 edge_arm = edge.turned_to_world(points.edge_point[i]);
-  const Vec2 between = corner.position() - edge.position();
-  const Vec2 d = between + corner.turned_to_world(points.corner[i]) - edge_arm;
-  const double distance = norm(d);
-  PointGeometry g;
-  g.normal = distance > 0.0 ? (1.0 / distance) * d : past.direction;
-  g.overlap = points.radius[i] - distance;
-  const double other = points.other_radius[i];
-  // Rate of slip: D phi' - (D - r_o) theta_corner' - r_o theta_edge', D the distance of the centres.
-  const double slipped = distance * cross(past.direction, g.normal) -
-                         (distance - other) * (corner.angle - past.angle_corner) -
-                         other * (edge.angle - past.angle_edge);
-  g.position = slipped;
-  g.slip = past.open ? 0.0 : slipped - past.anchor;
-  g.arm_edge = edge_arm + other * g.normal;
-  g.arm_corner = g.arm_edge - between;
-  return g;
-}
-
-struct PointRates {
-  double overlap = 0.0, slip = 0.0;  // m/s
-};
-
-PointRates rates_of(const PointGeometry& g, const Frame& corner, const Frame& edge) {
-  const Vec2 u = corner.velocity() - edge.velocity() + corner.spin * turned(g.arm_corner) -
-                 edge.spin * turned(g.arm_edge);
-  return {-dot(g.normal, u), dot(turned(g.normal), u)};
-}
-
 // Round contacts measure their position from the last committed poses.
-inline double rebased_position(ContactPoints& points, std::size_t i, const PointGeometry& g,
-                               const Frame& corner, const Frame& edge) {
-  if (points.kind[i] == FeatureKind::corner_edge) return g.position;
-  PointHistory& history = points.history[i];
+PointHistory rebased(PointHistory history, const PointGeometry& g, const Frame& corner, const Frame& edge) {
   history.direction = g.normal;
   history.angle_corner = corner.angle, history.angle_edge = edge.angle;
-  return 0.0;
+  return history;
 }
 
-// What the forces of a point do and did, for the work between two committed poses.
-struct PointForces {
-  double dashpot = 0.0, viscous = 0.0, friction = 0.0;  // N, as in PointPast
-  double slip = 0.0;                                    // m, that the spring keeps
-};
+void commit_round(ContactPoints& points, std::size_t i, const PointAction& a, std::span<const Frame> frames,
+                  ContactTotals& totals) {
+  const PointWorkOf<double> work = work_since(points.past(i), a.geometry, a.force);
+  totals.damping_work += work.damping, totals.tangential_work += work.tangential;
+  const PointForceOf<double>& f = a.force;
+  points.set_past(i, {a.geometry.overlap, 0.0, f.dashpot, f.viscous, f.friction});
+  PointHistory history;
+  history.anchor = -f.slip, history.open = !(a.geometry.overlap > 0.0);
+  points.set_history(
+      i, rebased(history, a.geometry, frames[points.corner_body[i]], frames[points.edge_body[i]]));
+  totals.note_depth(a.geometry.overlap * points.inverse_width(i), i);
+}
 
-// The work since the last commit; then Coulomb's return: the anchor follows what the friction cannot hold.
-inline void commit_point(ContactPoints& points, std::size_t i, const PointGeometry& g, const PointForces& f,
-                         const Frame& corner, const Frame& edge, ContactTotals& totals) {
-  PointPast& past = points.past[i];
-  const double closed = g.overlap - past.overlap, slid = g.position - past.position;
-  totals.damping_work += 0.5 * (past.dashpot + f.dashpot) * closed + 0.5 * (past.viscous + f.viscous) * slid;
-  totals.tangential_work += 0.5 * (past.friction + f.friction) * slid;
-  const double position = rebased_position(points, i, g, corner, edge);
-  past = {g.overlap, position, f.dashpot, f.viscous, f.friction};
-  points.history[i].open = !(g.overlap > 0.0);
-  points.history[i].anchor = position - f.slip;
+// The only point of its pair.
+void add_round(ContactPoints& points, std::size_t i, std::span<const Frame> frames, bool commit,
+               std::span<PairLoad> loads, double step, ContactTotals& totals) {
+  const PointAction a = action_of(points, i, frames, step);
+  const Vec2 force = a.force.force;
+  loads[i / 2].add(points.corner_is_b(i), force, cross(a.geometry.arm_corner, force),
+                   -cross(a.geometry.arm_edge, force));
+  const PointWorkOf<double> power = power_of(a.force, a.rate);
+  totals.damping_power += power.damping, totals.tangential_power += power.tangential;
+  if (commit) commit_round(points, i, a, frames, totals);
+}
+
+void add_rounds(ContactPoints& points, std::size_t block, std::span<const Frame> frames, bool commit,
+                std::span<PairLoad> loads, double step, ContactTotals& totals) {
+  const std::size_t first = block * PointBlock::size, end = std::min(first + PointBlock::size, points.size());
+  for (std::size_t i = first; i < end; ++i)
+    if (points.kind[i] == FeatureKind::round) add_round(points, i, frames, commit, loads, step, totals);
 }
 
 }  // namespace
 
 void ContactPoints::resize(std::size_t n, bool with_rocking) {
-  kind.resize(n);
-  corner_body.resize(n), edge_body.resize(n);
-  corner.resize(n), edge_point.resize(n), edge_normal.resize(n), edge_offset.resize(n);
-  radius.resize(n), other_radius.resize(n);
-  stiffness.resize(n), bearing.resize(n), inverse_width.resize(n), history.resize(n), past.resize(n);
-  rocking.resize(with_rocking ? n : 0);
+  blocks_.assign((n + PointBlock::size - 1) / PointBlock::size, {});
+  kind.assign(n, FeatureKind::corner_edge);
+  corner_body.assign(n, 0), edge_body.assign(n, 0);
+  round_.assign(n, {});
+  rocking.assign(with_rocking ? n : 0, {});
 }
 
-void ContactPoints::set(std::size_t i, const Feature& f, const BearingLength& length,
+void ContactPoints::set(std::size_t i, BodyPair bodies, const Feature& f, const BearingLength& length,
                         const PointStiffness& law, double width) {
   kind[i] = f.kind;
   corner_body[i] = f.corner_body, edge_body[i] = f.edge_body;
-  corner[i] = f.corner, edge_point[i] = f.edge_point, edge_normal[i] = f.edge_normal;
-  edge_offset[i] = {dot(f.edge_normal, f.edge_point), dot(turned(f.edge_normal), f.edge_point)};
-  radius[i] = f.radius, other_radius[i] = f.other_radius;
-  stiffness[i] = law, bearing[i] = length;
-  inverse_width[i] = 1.0 / width;
+  const bool round = f.kind == FeatureKind::round;
+  round_[i] = {
+      .corner = f.corner, .edge_point = f.edge_point, .radius = f.radius, .other_radius = f.other_radius};
+  PointBlock& b = block(i);
+  const std::size_t k = lane(i);
+  b.a[k / 2] = bodies.a, b.b[k / 2] = bodies.b;
+  b.corner_is_b[k] = flag(f.corner_body == bodies.b);
+  b.angular[k] = flag(!round);
+  b.has_round = std::find(b.angular.begin(), b.angular.end(), 0.0) != b.angular.end();
+  b.corner_x[k] = f.corner.x, b.corner_y[k] = f.corner.y;
+  b.normal_x[k] = f.edge_normal.x, b.normal_y[k] = f.edge_normal.y;
+  b.offset_x[k] = dot(f.edge_normal, f.edge_point), b.offset_y[k] = dot(turned(f.edge_normal), f.edge_point);
+  b.radius[k] = round ? PointBlock::far_away : f.radius;
+  b.facing[k] = length.facing, b.edge_length[k] = length.edge_length;
+  b.nominal[k] = length.nominal, b.per_reference[k] = length.per_reference;
+  b.inverse_width[k] = 1.0 / width;
+  set_stiffness(i, law);
 }
 
 void ContactPoints::start(std::size_t i, std::span<const Frame> frames) {
-  history[i] = {}, past[i] = {};
+  set_history(i, {});
   const PointGeometry g = geometry_of(*this, i, frames);
-  past[i].overlap = g.overlap;
-  past[i].position = rebased_position(*this, i, g, frames[corner_body[i]], frames[edge_body[i]]);
+  const bool round = kind[i] == FeatureKind::round;
+  if (round) set_history(i, rebased({}, g, frames[corner_body[i]], frames[edge_body[i]]));
+  set_past(i, {g.overlap, round ? 0.0 : g.position, 0.0, 0.0, 0.0});
+}
+
+PointStiffness ContactPoints::stiffness(std::size_t i) const {
+  const PointBlock& b = block(i);
+  const std::size_t k = lane(i);
+  return {b.normal[k],   b.tangential[k],   b.normal_damping[k], b.tangential_damping[k],
+          b.friction[k], b.resting_share[k]};
+}
+
+void ContactPoints::set_stiffness(std::size_t i, const PointStiffness& law) {
+  PointBlock& b = block(i);
+  const std::size_t k = lane(i);
+  b.normal[k] = law.normal, b.tangential[k] = law.tangential;
+  b.normal_damping[k] = law.normal_damping, b.tangential_damping[k] = law.tangential_damping;
+  b.friction[k] = law.friction, b.resting_share[k] = law.resting;
+}
+
+BearingLength ContactPoints::bearing(std::size_t i) const {
+  const PointBlock& b = block(i);
+  const std::size_t k = lane(i);
+  return {b.facing[k], b.edge_length[k], b.nominal[k], b.per_reference[k]};
+}
+
+PointHistory ContactPoints::history(std::size_t i) const {
+  const PointBlock& b = block(i);
+  const std::size_t k = lane(i);
+  const Round& r = round_[i];
+  return {b.anchor[k],  b.open[k] != 0.0,    r.direction,    r.angle_corner,
+          r.angle_edge, b.resting[k] != 0.0, b.calm_since[k]};
+}
+
+void ContactPoints::set_history(std::size_t i, const PointHistory& h) {
+  PointBlock& b = block(i);
+  const std::size_t k = lane(i);
+  b.anchor[k] = h.anchor, b.calm_since[k] = h.calm_since;
+  b.open[k] = flag(h.open), b.resting[k] = flag(h.resting);
+  round_[i].direction = h.direction;
+  round_[i].angle_corner = h.angle_corner, round_[i].angle_edge = h.angle_edge;
+}
+
+PointPast ContactPoints::past(std::size_t i) const {
+  const PointBlock& b = block(i);
+  const std::size_t k = lane(i);
+  return {b.overlap[k], b.position[k], b.dashpot[k], b.viscous[k], b.spent_friction[k]};
+}
+
+void ContactPoints::set_past(std::size_t i, const PointPast& p) {
+  PointBlock& b = block(i);
+  const std::size_t k = lane(i);
+  b.overlap[k] = p.overlap, b.position[k] = p.position;
+  b.dashpot[k] = p.dashpot, b.viscous[k] = p.viscous, b.spent_friction[k] = p.friction;
 }
 
 PointGeometry geometry_of(const ContactPoints& points, std::size_t i, std::span<const Frame> frames) {
   const Frame &corner = frames[points.corner_body[i]], &edge = frames[points.edge_body[i]];
-  if (points.kind[i] == FeatureKind::round) return round_geometry(points, i, corner, edge);
-  return corner_edge_geometry(points, i, approach_of(points, i, corner, edge), corner, edge);
+  const PointBlock& b = points.block(i);
+  const std::size_t k = points.lane(i);
+  if (points.kind[i] == FeatureKind::corner_edge) {
+    const CornerEdgeOf<double> place{{b.corner_x[k], b.corner_y[k]},
+                                     {b.normal_x[k], b.normal_y[k]},
+                                     {b.offset_x[k], b.offset_y[k]},
+                                     b.radius[k]};
+    return corner_edge_geometry(place, pose_of(corner), pose_of(edge),
+                                {b.anchor[k], b.open[k], b.resting[k]});
+  }
+  const ContactPoints::Round& past = points.round_[i];
+  const Vec2 edge_arm = edge.turned_to_world(past.edge_point);
+  const Vec2 between = corner.position() - edge.position();
+  const Vec2 d = between + corner.turned_to_world(past.corner) - edge_arm;
+  const double distance = norm(d);
+  PointGeometry g;
+  g.normal = distance > 0.0 ? (1.0 / distance) * d : past.direction;
+  g.overlap = past.radius - distance;
+  const double other = past.other_radius;
+  // Rate of slip: D phi' - (D - r_o) theta_corner' - r_o theta_edge', D the distance of the centres.
+  g.position = distance * cross(past.direction, g.normal) -
+               (distance - other) * (corner.angle - past.angle_corner) -
+               other * (edge.angle - past.angle_edge);
+  g.slip = b.open[k] != 0.0 ? 0.0 : g.position - b.anchor[k];
+  g.arm_edge = edge_arm + other * g.normal;
+  g.arm_corner = g.arm_edge - between;
+  return g;
 }
 
-namespace {
-
-inline double damping_share(const ContactPoints& points, std::size_t i) {
-  return points.history[i].resting ? points.stiffness[i].resting : 1.0;
+double damping_share(const ContactPoints& points, std::size_t i) {
+  return points.history(i).resting ? points.stiffness(i).resting : 1.0;
 }
-
-}  // namespace
 
 PointStiffness law_at(const ContactPoints& points, std::size_t i, const PointGeometry& g) {
-  const PointStiffness& law = points.stiffness[i];
-  return scaled(law, bearing_share(points.bearing[i], g.position).factor, damping_share(points, i));
+  return scaled(points.stiffness(i), bearing_share(points.bearing(i), g.position).factor,
+                damping_share(points, i));
 }
 
 double overlap_rate(const PointGeometry& g, const Frame& corner, const Frame& edge) {
   return rates_of(g, corner, edge).overlap;
 }
 
-namespace {
-
-// What the forces of a pose count for in the step before and after it, where the point closed since the last
-// pose or is about to open (contact_forces).
-struct PoseWeights {
-  double spring = 1.0, dashpot = 1.0;
-};
-
-// tau/h: part of the step before in which the point was closed.
-inline PoseWeights closing_weights(double overlap, double rate, double step) {
-  const double closed = rate * step > overlap ? overlap / (rate * step) : 1.0;
-  return {0.5 + 0.5 * closed, 0.5 + closed};
+Vec2 force_of(const ContactPoints& points, std::size_t i, std::span<const Frame> frames) {
+  return action_of(points, i, frames, 0.0).force.force;
 }
-
-// Of a point that will open before the step is over.
-inline double opening_weight(double overlap, double rate, double step) {
-  return overlap + rate * step < 0.0 ? 0.5 - 0.5 * overlap / (rate * step) : 1.0;
-}
-
-// Forces along the edge, against slip, from a stiffness that follows the position (bearing_length.h).
-struct EndForces {
-  double normal = 0.0, tangential = 0.0;  // N, from the energy of each spring
-};
-
-inline EndForces end_forces(const PointStiffness& whole, double slope, double overlap, double slip) {
-  return {0.5 * slope * whole.normal * overlap * overlap, 0.5 * slope * whole.tangential * slip * slip};
-}
-
-// Force of one touching point; adds its powers to the totals. step = 0: no weighing.
-inline PointForces touch(const ContactPoints& points, std::size_t i, const PointGeometry& g,
-                         const Frame& corner, const Frame& edge, double step, PointLoad& load,
-                         ContactTotals& totals) {
-  const PointStiffness& whole = points.stiffness[i];
-  const BearingShare share = bearing_share(points.bearing[i], g.position);
-  const PointStiffness law = scaled(whole, share.factor, damping_share(points, i));
-  const bool was_open = points.history[i].open;
-  const PointRates rate = rates_of(g, corner, edge);
-  const PoseWeights w =
-      was_open && step > 0.0 ? closing_weights(g.overlap, rate.overlap, step) : PoseWeights{};
-  double spring = w.spring * law.normal * g.overlap;
-  double normal =
-      normal_force(w.spring * law.normal, w.dashpot * law.normal_damping, g.overlap, rate.overlap);
-  const double limit = law.friction * normal;
-  const double damping = w.dashpot * law.tangential_damping;
-  const double wanted = law.tangential * g.slip + damping * rate.slip;
-  const double last = normal > 0.0 ? opening_weight(g.overlap, rate.overlap, step) : 1.0;
-  spring *= last, normal *= last;
-  const double slip = returned_slip(g.slip, law.tangential, limit);
-  const EndForces end = end_forces(whole, share.slope, g.overlap, slip);
-  const double held = last * friction_force(wanted, limit) + end.tangential;
-  const double tangential = -held - end.normal;
-  const Vec2 force = normal * g.normal + tangential * turned(g.normal);
-  load = {force.x, force.y, cross(g.arm_corner, force), -cross(g.arm_edge, force)};
-
-  const double viscous = std::abs(wanted) > limit ? 0.0 : last * damping * rate.slip;
-  const PointForces f{normal - spring, viscous, held - viscous, slip};
-  totals.damping_power += f.dashpot * rate.overlap + f.viscous * rate.slip;
-  totals.tangential_power += f.friction * rate.slip;
-  return f;
-}
-
-// A point at rest: it bears, and its dashpot adds next to nothing.
-bool is_calm(const ContactPoints& points, std::size_t i) {
-  constexpr double next_to_nothing = 0.05;
-  const PointPast& past = points.past[i];
-  const double spring = points.stiffness[i].normal * past.overlap;
-  return spring > 0.0 && std::abs(past.dashpot) <= next_to_nothing * spring;
-}
-
-// Both points of a pair, after a commit at `time`. They come to rest when both have been calm for some
-// periods of their springs, so that no landing ends in between; a point that opens rouses both. Returns
-// whether they have been roused.
-bool follow_rest(ContactPoints& points, std::size_t first, double time) {
-  constexpr double relaxations = 10.0;
-  PointHistory &a = points.history[first], &b = points.history[first + 1];
-  const bool rested = a.resting || b.resting;
-  if (a.open || b.open || a.resting != b.resting) {
-    a.resting = b.resting = false;
-    a.calm_since = std::numeric_limits<double>::infinity();
-    return rested;
-  }
-  if (rested) return false;
-  if (!is_calm(points, first) || !is_calm(points, first + 1)) {
-    a.calm_since = std::numeric_limits<double>::infinity();
-    return false;
-  }
-  a.calm_since = std::min(a.calm_since, time);
-  const PointStiffness& law = points.stiffness[first];
-  a.resting = b.resting = (time - a.calm_since) * law.normal >= relaxations * law.normal_damping;
-  return false;
-}
-
-}  // namespace
 
 void put_to_rest(ContactPoints& points) {
-  for (std::size_t i = 0; i + 1 < points.size(); i += 2) {
-    PointHistory &a = points.history[i], &b = points.history[i + 1];
-    a.resting = b.resting = !a.open && !b.open;
-    a.calm_since = std::numeric_limits<double>::infinity();
-  }
+  for (PointBlock& b : points.blocks())
+    for (std::size_t k = 0; k < PointBlock::size; k += 2) {
+      b.resting[k] = b.resting[k + 1] = flag(b.open[k] == 0.0 && b.open[k + 1] == 0.0);
+      b.calm_since[k] = PointBlock::never;
+    }
 }
 
 ContactTotals contact_forces(ContactPoints& points, std::span<const Frame> frames, bool commit,
-                             std::span<PointLoad> loads, double time, double step) {
+                             std::span<PairLoad> loads, double time, double step) {
   ContactTotals totals;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const Frame &corner = frames[points.corner_body[i]], &edge = frames[points.edge_body[i]];
-    PointGeometry g;
-    if (points.kind[i] == FeatureKind::corner_edge) {
-      const Approach a = approach_of(points, i, corner, edge);
-      if (commit || a.overlap > 0.0) g = corner_edge_geometry(points, i, a, corner, edge);
-    } else {
-      g = round_geometry(points, i, corner, edge);
-    }
-    PointForces f;
-    if (g.overlap > 0.0)
-      f = touch(points, i, g, corner, edge, step, loads[i], totals);
-    else
-      loads[i] = {};
-    if (!commit) continue;
-    commit_point(points, i, g, f, corner, edge, totals);
-    const double ratio = g.overlap * points.inverse_width[i];
-    if (ratio > totals.deepest_ratio) totals.deepest_ratio = ratio, totals.deepest_point = i;
-    if (i % 2 == 1) totals.roused |= follow_rest(points, i - 1, time);
-  }
+  const auto blocks = points.blocks();
+  best_kernels().corner_edge_forces(
+      {blocks.data(), blocks.size(), points.size(), frames.data(), commit, loads.data(), time, step}, totals);
+  for (std::size_t k = 0; k < blocks.size(); ++k)
+    if (blocks[k].has_round && !blocks[k].asleep) add_rounds(points, k, frames, commit, loads, step, totals);
   add_rocking_couples(points, frames, commit, loads, totals);
   return totals;
 }
@@ -283,7 +243,7 @@ ContactTotals contact_forces(ContactPoints& points, std::span<const Frame> frame
 namespace {
 
 // Whether the spring, as it was committed, holds all that friction can.
-bool slides(const PointStiffness& law, const PointGeometry& g, const PointRates& rate) {
+bool slides(const PointStiffness& law, const PointGeometry& g, const PointRatesOf<double>& rate) {
   constexpr double rounding = 1e-9;
   const double limit = law.friction * normal_force(law.normal, law.normal_damping, g.overlap, rate.overlap);
   return limit > 0.0 && law.tangential * std::abs(g.slip) >= (1.0 - rounding) * limit;
@@ -295,7 +255,7 @@ void contact_events(const ContactPoints& points, std::span<const Frame> frames, 
                     std::span<double> values) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     const PointGeometry g = geometry_of(points, i, frames);
-    const PointRates rate = rates_of(g, frames[points.corner_body[i]], frames[points.edge_body[i]]);
+    const auto rate = rates_of(g, frames[points.corner_body[i]], frames[points.edge_body[i]]);
     values[2 * i] = g.overlap;
     const bool watched = !at_start || slides(law_at(points, i, g), g, rate);
     values[2 * i + 1] = watched ? rate.slip : std::numeric_limits<double>::quiet_NaN();

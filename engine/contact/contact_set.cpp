@@ -22,6 +22,9 @@ constexpr std::size_t longest_wait = 16;  // steps
 // How far a rim may go in one step: two bodies then close by less than half the margin, or half the skin.
 constexpr double margin_travel = 0.2;
 constexpr double skin_travel = 0.1;
+// How far two bodies may come closer between two looks, over the margin: steps may be half as long again as
+// margin_travel says (drive.cpp), or refresh_ratio bounds their motion.
+constexpr double longest_travel = std::max(3.0 * margin_travel, refresh_ratio);
 
 double median(std::vector<double> values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -47,11 +50,23 @@ double reach_of(const ContactPair& pair) {
   return std::clamp(pair.manifold.length, shortest_reach * pair.margin, pair.margin);
 }
 
-bool has_moved(const Model& model, const ContactPair& pair, const SeenPose& now) {
+// How far any point of one may have moved against the other since then (m).
+double moved_since_seen(const Model& model, const ContactPair& pair, const SeenPose& now) {
   const Vec2 d = now.position - pair.seen_position;
   const double radius = std::min(model.bounding_radius[pair.bodies.a], model.bounding_radius[pair.bodies.b]);
-  const double motion = std::abs(d.x) + std::abs(d.y) + radius * std::abs(now.angle - pair.seen_angle);
-  return motion > refresh_ratio * reach_of(pair);
+  return std::abs(d.x) + std::abs(d.y) + radius * std::abs(now.angle - pair.seen_angle);
+}
+
+double gap_of(const Feature& f, std::span<const Frame> frames) {
+  const Frame& edge = frames[f.edge_body];
+  const Vec2 d = frames[f.corner_body].to_world(f.corner) - edge.to_world(f.edge_point);
+  return (f.kind == FeatureKind::round ? norm(d) : dot(edge.turned_to_world(f.edge_normal), d)) - f.radius;
+}
+
+double gap_of(const Manifold& m, std::span<const Frame> frames) {
+  double gap = std::numeric_limits<double>::infinity();
+  for (Index k = 0; k < m.count; ++k) gap = std::min(gap, gap_of(m.features[k], frames));
+  return gap;
 }
 
 // What the scene's moving ground carries along does not count as motion.
@@ -99,7 +114,7 @@ Feature empty_slot(Index a, Index b) {
   f.corner_body = a;
   f.edge_body = b;
   f.edge_normal = {0.0, 1.0};
-  f.radius = -1e100;
+  f.radius = PointBlock::far_away;
   return f;
 }
 
@@ -109,6 +124,18 @@ RockingImpact rocking_impact(const Model& model, const Manifold& m, BodyPair bod
   const bool a_rocks = model.mass[bodies.a] <= model.mass[bodies.b];
   const Index body = a_rocks ? bodies.a : bodies.b;
   return {model.mass[body], model.inertia[body], 0.5 * m.length, a_rocks ? m.depth_a : m.depth_b, law};
+}
+
+Vec2 place_of(const ContactPoints& points, std::size_t i, std::span<const Frame> frames) {
+  return frames[points.edge_body[i]].position() + geometry_of(points, i, frames).arm_edge;
+}
+
+// The sense in which a point's force turns the corner's body more if it acts nearer to the other point.
+double inward_turn(const ContactPoints& points, std::size_t i, std::size_t other,
+                   std::span<const Frame> frames) {
+  const Vec2 tangent = turned(geometry_of(points, i, frames).normal);
+  const Vec2 inward = place_of(points, other, frames) - place_of(points, i, frames);
+  return dot(inward, tangent) > 0.0 ? -1.0 : 1.0;
 }
 
 // Of the springs along the normals of a pair's two points (J).
@@ -133,7 +160,8 @@ PointHistory history_with_slip(const ContactPoints& points, std::size_t i, std::
   const Frame &corner = frames[points.corner_body[i]], &edge = frames[points.edge_body[i]];
   const PointGeometry g = geometry_of(points, i, frames);
   const bool round = points.kind[i] == FeatureKind::round;
-  PointHistory history{round ? -slip : g.position - slip, false, {}, 0.0, 0.0, kept.resting, kept.calm_since};
+  PointHistory history{
+      round ? -slip : g.position - slip, false, {0.0, 1.0}, 0.0, 0.0, kept.resting, kept.calm_since};
   if (round)
     history.direction = g.normal, history.angle_corner = corner.angle, history.angle_edge = edge.angle;
   return history;
@@ -154,6 +182,7 @@ ContactSet::ContactSet(const Model& model) {
   skin_ = skin_ratio * median(std::move(body_widths));
   smallest_margin_ = margin_ratio * smallest;
   skin_ = std::max(skin_, 4.0 * smallest_margin_);
+  sleeping_gap_ = longest_travel * smallest_margin_;
 }
 
 void ContactSet::keep_apart(std::vector<BodyPair> held) {
@@ -204,7 +233,7 @@ void ContactSet::rebuild_pairs(const Model& model, std::span<const Frame> frames
 
 std::array<ContactSet::Memory, 2> ContactSet::memory_of(const ContactPoints& points, std::size_t first) {
   const auto one = [&](std::size_t i) {
-    return Memory{points.history[i], points.past[i],
+    return Memory{points.history(i), points.past(i),
                   points.rocking.empty() ? RockingDashpot{} : points.rocking[i]};
   };
   return {one(first), one(first + 1)};
@@ -233,19 +262,19 @@ void ContactSet::write_points(const Model& model, std::span<const Frame> frames,
   for (Index k = 0; k < 2; ++k) {
     const std::size_t i = pair.first_point + k;
     if (k >= pair.manifold.count) {
-      points.set(i, empty_slot(a, b), {}, {}, width);
-      points.history[i] = {}, points.past[i] = {};
+      points.set(i, pair.bodies, empty_slot(a, b), {}, {}, width);
+      points.set_history(i, {}), points.set_past(i, {});
       if (!points.rocking.empty()) points.rocking[i] = {};
       continue;
     }
     const Feature& feature = pair.manifold.features[k];
     const BearingLength length = rigid_ ? BearingLength{} : bearing_of(model, frames, pair.manifold, feature);
-    const PointStiffness law = law_of(model, frames, pair, feature, length.reference);
-    points.set(i, feature, length, hardened(law, pair.hardening), width);
+    const PointStiffness law = law_of(model, frames, pair, feature, 1.0 / length.per_reference);
+    points.set(i, pair.bodies, feature, length, hardened(law, pair.hardening), width);
     points.start(i, frames);
     for (Index l = 0; l < old.count; ++l) {
       if (old.features[l].identity != feature.identity) continue;
-      points.history[i] = kept[l].history, points.past[i] = kept[l].past;
+      points.set_history(i, kept[l].history), points.set_past(i, kept[l].past);
       if (!points.rocking.empty()) points.rocking[i] = kept[l].rocking;
     }
   }
@@ -255,37 +284,66 @@ void ContactSet::write_points(const Model& model, std::span<const Frame> frames,
 // What a pair that touches has stored stays when other features take its contact over: a corner in a face
 // bears on as it did, though now another of its own faces turns to it.
 void ContactSet::keep_energy(std::span<const Frame> frames, ContactPair& pair, double stored) {
-  constexpr double rounding = 1e-9, most = 10.0;
+  constexpr double rounding = 1e-9;
   const double now = energy_of(points, pair.first_point, frames);
   if (stored == 0.0 || now == 0.0 || std::abs(stored / now - 1.0) < rounding) return;
-  const double hardening = std::clamp(pair.hardening * stored / now, 1.0 / most, most);
+  harden(pair, pair.hardening * stored / now);
+}
+
+void ContactSet::harden(ContactPair& pair, double hardening) {
+  constexpr double most = 10.0;
+  hardening = std::clamp(hardening, 1.0 / most, most);
   for (const Index k : {0, 1}) {
-    PointStiffness& law = points.stiffness[pair.first_point + k];
-    law = hardened(law, hardening / pair.hardening);
+    const std::size_t i = pair.first_point + k;
+    points.set_stiffness(i, hardened(points.stiffness(i), hardening / pair.hardening));
   }
   pair.hardening = hardening;
 }
 
-// A face with two corners can rock; the couple is found anew when the length of contact has changed.
+// The contacts of two bodies whose face was joined until now: closed where they overlap, with relaxed
+// friction springs.
+void ContactSet::hand_over(std::span<const Frame> frames, const Heir& heir) {
+  const auto each = [&](auto&& visit) {
+    for (ContactPair& pair : pairs_)
+      if (pair.active && pair.bodies == heir.bodies) visit(pair);
+  };
+  double now = 0.0, taken = 0.0;
+  each([&](ContactPair& pair) { now += energy_of(points, pair.first_point, frames); });
+  if (now == 0.0) return;
+  each([&](ContactPair& pair) {
+    harden(pair, pair.hardening * heir.energy / now);
+    for (const std::size_t i : {pair.first_point + 0u, pair.first_point + 1u}) {
+      const PointGeometry g = geometry_of(points, i, frames);
+      if (g.overlap > 0.0)
+        points.set_history(i, history_with_slip(points, i, frames, points.history(i), 0.0));
+    }
+    taken += energy_of(points, pair.first_point, frames);
+  });
+  inherited_ += std::min(taken, heir.energy);
+}
+
+// A face with two corners can rock; its law is found anew when the length of contact has changed.
 void ContactSet::write_rocking(const Model& model, std::span<const Frame> frames, ContactPair& pair) {
   constexpr double same_length = 1e-3;
   const Manifold& m = pair.manifold;
   const auto ratio = model.rule(pair.bodies.a, pair.bodies.b).rocking_restitution;
   const bool rocks = ratio && m.count == 2 && m.length > 0.0;
   if (rocks && std::abs(m.length - pair.rocking_length) > same_length * m.length) {
-    const PointStiffness& law = points.stiffness[pair.first_point];
-    pair.rocking_couple = couple_for_ratio(rocking_impact(model, m, pair.bodies, law), *ratio);
+    const PointStiffness law = points.stiffness(pair.first_point);
+    pair.rocking = law_for_ratio(rocking_impact(model, m, pair.bodies, law), *ratio);
     pair.rocking_length = m.length;
   }
-  for (Index k = 0; k < 2; ++k) {
-    RockingDashpot& dashpot = points.rocking[pair.first_point + k];
-    const Frame &corner = frames[points.corner_body[pair.first_point + k]],
-                &edge = frames[points.edge_body[pair.first_point + k]];
-    if (dashpot.couple == 0.0) dashpot.past_angle = corner.angle - edge.angle;
-    dashpot.couple = rocks ? pair.rocking_couple : 0.0;
+  for (const Index k : {0, 1}) {
+    const std::size_t i = pair.first_point + k;
+    RockingDashpot& dashpot = points.rocking[i];
+    if (!dashpot.acts())
+      dashpot.past_angle = frames[points.corner_body[i]].angle - frames[points.edge_body[i]].angle;
+    const PointStiffness law = points.stiffness(i);
+    dashpot.couple = rocks ? pair.rocking.couple : 0.0;
+    dashpot.inset =
+        rocks ? inward_turn(points, i, pair.first_point + 1 - k, frames) * pair.rocking.inset : 0.0;
     dashpot.length = m.length;
-    const PointStiffness& law = points.stiffness[pair.first_point + k];
-    if (rocks) dashpot.rate = law.normal / law.normal_damping;
+    if (rocks) dashpot.rate = law.normal / law.normal_damping, dashpot.damping = law.normal_damping;
   }
 }
 
@@ -293,6 +351,7 @@ bool ContactSet::refresh(const Model& model, std::span<const Frame> frames, Cont
                          bool& activity_changed) {
   const Manifold old = pair.manifold;
   pair.manifold = find_manifold(model, frames, pair.colliders.a, pair.colliders.b, pair.margin, old);
+  pair.gap = gap_of(pair.manifold, frames);
   const bool active = pair.manifold.count > 0;
   if (active != pair.active) {
     activity_changed = true;
@@ -305,10 +364,7 @@ bool ContactSet::refresh(const Model& model, std::span<const Frame> frames, Cont
   const std::array<Memory, 2> kept = memory_of(points, pair.first_point);
   std::array<double, 2> slip{};
   for (Index k = 0; k < old.count; ++k) slip[k] = geometry_of(points, pair.first_point + k, frames).slip;
-  const auto place = [&](Index k) {
-    return frames[points.edge_body[pair.first_point + k]].position() +
-           geometry_of(points, pair.first_point + k, frames).arm_edge;
-  };
+  const auto place = [&](Index k) { return place_of(points, pair.first_point + k, frames); };
   const std::array<Vec2, 2> old_place{place(0), place(old.count > 1 ? 1 : 0)};
   const double stored = energy_of(points, pair.first_point, frames);
   if (stored == 0.0) pair.hardening = 1.0;
@@ -321,48 +377,65 @@ bool ContactSet::refresh(const Model& model, std::span<const Frame> frames, Cont
       continue;
     if (kept[k].history.open || norm(place(k) - old_place[k]) > 2.0 * pair.margin) continue;
     // Corner and edge may have changed sides: both the tangent and the motion turn round, so slip stays.
-    points.history[pair.first_point + k] =
-        history_with_slip(points, pair.first_point + k, frames, kept[k].history, slip[k]);
+    const std::size_t i = pair.first_point + k;
+    points.set_history(i, history_with_slip(points, i, frames, kept[k].history, slip[k]));
   }
   return true;
 }
 
-// Gives every active pair two slots, keeping the history of those that had them.
+// Gives every active pair two slots, keeping the history of those that had them; pairs far from touching
+// come last, so that they share blocks that can sleep.
 void ContactSet::lay_out_points(const Model& model, std::span<const Frame> frames) {
   const ContactPoints old = std::move(points);
   points = {};
   std::size_t count = 0;
   for (const ContactPair& pair : pairs_) count += pair.manifold.count > 0 ? 2 : 0;
   points.resize(count, model.has_rocking_restitution());
-  Index next = 0;
+  std::size_t near = 0, far = count;
   for (ContactPair& pair : pairs_) {
     const bool was_active = pair.active;
     pair.active = pair.manifold.count > 0;
     if (!pair.active) continue;
-    const Index old_first = pair.first_point;
-    pair.first_point = next;
-    next += 2;
-    if (was_active) {
+    const std::size_t old_first = pair.first_point;
+    const bool apart = pair.gap > sleeping_gap_;
+    pair.first_point = static_cast<Index>(apart ? far -= 2 : near);
+    near += apart ? 0 : 2;
+    if (was_active)
       write_points(model, frames, pair, pair.manifold, memory_of(old, old_first));
-    } else {
+    else
       write_points(model, frames, pair, {}, {});
-    }
   }
   index_bodies(model.size());
 }
 
 void ContactSet::index_bodies(std::size_t bodies) {
   first_.assign(bodies + 1, 0);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    ++first_[points.corner_body[i] + 1];
-    ++first_[points.edge_body[i] + 1];
-  }
+  const auto each = [&](auto&& visit) {
+    for (const ContactPair& pair : pairs_)
+      if (pair.active) visit(pair.bodies.a, pair.first_point), visit(pair.bodies.b, pair.first_point + 1);
+  };
+  each([&](Index body, Index) { ++first_[body + 1]; });
   for (std::size_t k = 1; k < first_.size(); ++k) first_[k] += first_[k - 1];
   std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-  touches_.resize(2 * points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    touches_[next[points.corner_body[i]]++] = static_cast<std::uint32_t>(2 * i);
-    touches_[next[points.edge_body[i]]++] = static_cast<std::uint32_t>(2 * i + 1);
+  touches_.resize(points.size());
+  each([&](Index body, Index side) { touches_[next[body]++] = side; });
+}
+
+// Blocks of points that are open and cannot close before the next look are not evaluated until then.
+void ContactSet::put_blocks_to_sleep(std::span<const Frame> frames) {
+  const auto blocks = points.blocks();
+  sleeps_.assign(blocks.size(), !rigid_);
+  for (const ContactPair& pair : pairs_) {
+    const bool apart = pair.gap - pair.moved > sleeping_gap_;
+    if (pair.active && !(apart && points.open(pair.first_point) && points.open(pair.first_point + 1)))
+      sleeps_[pair.first_point / PointBlock::size] = false;
+  }
+  for (std::size_t k = 0; k < blocks.size(); ++k) {
+    const bool wakes = blocks[k].asleep && !sleeps_[k];
+    blocks[k].asleep = sleeps_[k] != 0;
+    for (std::size_t i = k * PointBlock::size; wakes && i < (k + 1) * PointBlock::size && i < points.size();
+         ++i)
+      points.start(i, frames);
   }
 }
 
@@ -378,16 +451,18 @@ bool ContactSet::update(const Model& model, std::span<const Frame> frames) {
   }
   for (ContactPair& pair : pairs_) {
     const SeenPose now = seen_pose(model, frames, pair.bodies);
-    if (!has_moved(model, pair, now)) continue;
+    pair.moved = moved_since_seen(model, pair, now);
+    if (!(pair.moved > refresh_ratio * reach_of(pair))) continue;
+    pair.moved = 0.0;
     pair.seen_position = now.position, pair.seen_angle = now.angle;
     changed |= refresh(model, frames, pair, activity_changed);
   }
   smallest_reach_ = smallest_margin_;
   for (const ContactPair& pair : pairs_) smallest_reach_ = std::min(smallest_reach_, reach_of(pair));
-  if (activity_changed)
-    lay_out_points(model, frames);
-  else if (changed)
-    index_bodies(model.size());
+  if (activity_changed) lay_out_points(model, frames);
+  for (const Heir& heir : heirs_) hand_over(frames, heir);
+  heirs_.clear();
+  put_blocks_to_sleep(frames);
   return changed || activity_changed;
 }
 
@@ -405,16 +480,16 @@ std::size_t ContactSet::steps_until_update(const Model& model, std::span<const F
                                static_cast<std::size_t>(std::min(steps, static_cast<double>(longest_wait))));
 }
 
-void ContactSet::gather(std::span<const PointLoad> loads, std::span<Vec2> forces,
+void ContactSet::gather(std::span<const PairLoad> loads, std::span<Vec2> forces,
                         std::span<double> torques) const {
   for (std::size_t body = 0; body + 1 < first_.size(); ++body) {
     double fx = 0.0, fy = 0.0, torque = 0.0;
     for (std::size_t k = first_[body]; k < first_[body + 1]; ++k) {
-      const PointLoad& load = loads[touches_[k] >> 1];
-      const bool edge_side = touches_[k] & 1;
-      fx += edge_side ? -load.fx : load.fx;
-      fy += edge_side ? -load.fy : load.fy;
-      torque += edge_side ? load.torque_edge : load.torque_corner;
+      const PairLoad& load = loads[touches_[k] >> 1];
+      const bool second = touches_[k] & 1;
+      fx += second ? -load.fx : load.fx;
+      fy += second ? -load.fy : load.fy;
+      torque += second ? load.torque_b : load.torque_a;
     }
     forces[body] = {fx, fy};
     torques[body] = torque;

@@ -6,6 +6,8 @@
 // pass on when one end of a contact changes hands between two coinciding corners.
 #pragma once
 
+#include <utility>
+
 #include "engine/collision/broad_phase.h"
 #include "engine/contact/contact_points.h"
 
@@ -16,11 +18,12 @@ struct ContactPair {
   BodyPair bodies;      // their owners, a < b
   double margin = 0.0;  // m
   Manifold manifold;
-  Index first_point = 0;   // of two, if active
-  bool active = false;     // within the margin
+  double gap = 0.0, moved = 0.0;  // m, when the manifold was found; relative motion since then
+  Index first_point = 0;          // of two, if active
+  bool active = false;            // within the margin
   double hardening = 1.0;  // of its springs, so that they store what those before them did (keep_energy)
   // The couple of the pair's rocking restitution, and the length of contact it was found for.
-  double rocking_couple = 0.0;   // N s
+  RockingLaw rocking;
   double rocking_length = -1.0;  // m
   // Pose of the smaller body in the larger one's frame when the manifold was found.
   Vec2 seen_position;
@@ -34,6 +37,11 @@ class ContactSet {
 
   /// Sorted pairs of bodies that something else holds: they do not touch. The next update sees it.
   void keep_apart(std::vector<BodyPair> held);
+  /// The next update finds two bodies touching that a bond held before: their springs then store that energy
+  /// (J), as long as they stay closed.
+  void inherit(BodyPair bodies, double energy) { heirs_.push_back({bodies, energy}); }
+  /// What they took over of it since the last call (J).
+  double take_inherited() { return std::exchange(inherited_, 0.0); }
   /// Brings pairs and points up to date with the frames. Returns true if any point was added, removed
   /// or replaced (its stability bound may have changed).
   bool update(const Model& model, std::span<const Frame> frames);
@@ -48,8 +56,8 @@ class ContactSet {
   /// speeds and in free fall (s): contacts are found before they close. Infinite where nothing can touch.
   double longest_step(const Model& model, std::span<const Frame> frames) const;
 
-  /// Sums the loads of the points over every body and terrain, in a fixed order.
-  void gather(std::span<const PointLoad> loads, std::span<Vec2> forces, std::span<double> torques) const;
+  /// Sums the loads of the pairs over every body and terrain, in a fixed order.
+  void gather(std::span<const PairLoad> loads, std::span<Vec2> forces, std::span<double> torques) const;
 
   ContactPoints points;
   const std::vector<ContactPair>& pairs() const { return pairs_; }
@@ -71,20 +79,31 @@ class ContactSet {
   void write_points(const Model& model, std::span<const Frame> frames, ContactPair& pair, const Manifold& old,
                     std::span<const Memory> kept);
   void keep_energy(std::span<const Frame> frames, ContactPair& pair, double stored);
+  void harden(ContactPair& pair, double hardening);
+  struct Heir {
+    BodyPair bodies;
+    double energy = 0.0;  // J
+  };
+  void hand_over(std::span<const Frame> frames, const Heir& heir);
   void write_rocking(const Model& model, std::span<const Frame> frames, ContactPair& pair);
   void lay_out_points(const Model& model, std::span<const Frame> frames);
   void index_bodies(std::size_t bodies);
+  void put_blocks_to_sleep(std::span<const Frame> frames);
 
   double skin_ = 0.0;             // m
   double smallest_margin_ = 0.0;  // m
   double smallest_reach_ = 0.0;   // m
+  double sleeping_gap_ = 0.0;     // m, of pairs that cannot close before the next look
   bool rigid_ = false;
   std::vector<ContactPair> pairs_;
   std::vector<BodyPair> held_;
+  std::vector<Heir> heirs_;
+  double inherited_ = 0.0;  // J
   std::vector<Vec2> skin_position_;
   std::vector<double> skin_angle_;
   std::vector<std::size_t> first_;      // of each body, into touches_
-  std::vector<std::uint32_t> touches_;  // point index, times two, plus one on the edge's side
+  std::vector<std::uint32_t> touches_;  // a pair's first point, plus one for its second body
+  std::vector<char> sleeps_;            // of each block of points
 };
 
 }  // namespace dougong::engine

@@ -9,21 +9,24 @@
 // Source: Cundall and Strack, Geotechnique 29 (1979) 47-65.
 #pragma once
 
-#include <algorithm>
+#include "engine/lanes.h"
 
 namespace dougong::engine {
 
-struct PointStiffness {
-  double normal = 0.0;              // kn, N/m
-  double tangential = 0.0;          // kt, N/m
-  double normal_damping = 0.0;      // cn, N s/m
-  double tangential_damping = 0.0;  // ct, N s/m
-  double friction = 0.0;            // mu, -
-  double resting = 1.0;             // -, damping at rest on a whole face over cn and ct
+template <class R>
+struct PointStiffnessOf {
+  R normal{};              // kn, N/m
+  R tangential{};          // kt, N/m
+  R normal_damping{};      // cn, N s/m
+  R tangential_damping{};  // ct, N s/m
+  R friction{};            // mu, -
+  R resting = R{} + 1.0;   // -, damping at rest on a whole face over cn and ct
 };
+using PointStiffness = PointStiffnessOf<double>;
 
 /// The same law on a part of the length, with a part of the damping.
-inline PointStiffness scaled(const PointStiffness& law, double part, double damping) {
+template <class R>
+[[gnu::always_inline]] inline PointStiffnessOf<R> scaled(const PointStiffnessOf<R>& law, R part, R damping) {
   return {part * law.normal,
           part * law.tangential,
           part * damping * law.normal_damping,
@@ -32,19 +35,23 @@ inline PointStiffness scaled(const PointStiffness& law, double part, double damp
           law.resting};
 }
 
-inline double normal_force(double stiffness, double damping, double overlap, double overlap_rate) {
-  const double force = stiffness * overlap + damping * overlap_rate;
-  return overlap > 0.0 && force > 0.0 ? force : 0.0;
+template <class R>
+[[gnu::always_inline]] inline R normal_force(R stiffness, R damping, R overlap, R overlap_rate) {
+  const R force = stiffness * overlap + damping * overlap_rate;
+  return where_positive(overlap, where_positive(force, force, R{}), R{});
 }
 
-inline double friction_force(double elastic_and_viscous, double limit) {
-  return std::min(std::max(elastic_and_viscous, -limit), limit);
+template <class R>
+[[gnu::always_inline]] inline R friction_force(R elastic_and_viscous, R limit) {
+  return lesser(greater(elastic_and_viscous, -limit), limit);
 }
 
 /// The slip that the spring keeps once Coulomb's limit has been applied.
-inline double returned_slip(double slip, double stiffness, double limit) {
-  const double held = friction_force(stiffness * slip, limit);
-  return stiffness > 0.0 ? held / stiffness : 0.0;
+template <class R>
+[[gnu::always_inline]] inline R returned_slip(R slip, R stiffness, R limit) {
+  const R elastic = stiffness * slip;
+  const R most = where_less(slip, R{}, -limit, limit) / stiffness;
+  return where_positive(stiffness, where_less(limit, magnitude(elastic), most, slip), R{});
 }
 
 }  // namespace dougong::engine

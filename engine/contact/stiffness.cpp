@@ -72,11 +72,11 @@ double position_along(const Feature& f, Vec2 in_edge_body) {
 BearingLength bearing_of(const Model& model, std::span<const Frame> frames, const Manifold& manifold,
                          const Feature& f) {
   const double nominal = nominal_length(model, manifold, f.corner_body, f.edge_body);
-  BearingLength b{f.facing, f.edge_length, nominal, bearing_length(manifold.length, nominal)};
+  BearingLength b{f.facing, f.edge_length, nominal, 1.0};
   const double length = contact_length(
       b, position_along(f, frames[f.edge_body].to_local(frames[f.corner_body].to_world(f.corner))));
   if (model.contact.point_stiffness || length <= 0.0) b.facing = 0.0;
-  if (b.facing != 0.0) b.reference = bearing_length(length, nominal);
+  b.per_reference = 1.0 / bearing_length(b.facing != 0.0 ? length : manifold.length, nominal);
   return b;
 }
 

@@ -17,9 +17,10 @@
 namespace dougong::engine {
 
 /// Rates of the energies that the ledger follows (W): terrain input, dashpots, tangential forces of contacts,
-/// springs of bonds.
+/// springs of bonds; and, in the work of a step only, what the method's velocities at the ends of steps hold
+/// beyond its own energy (J, energy.h).
 struct Powers {
-  std::array<double, 4> values{};
+  std::array<double, 5> values{};
   friend Powers operator+(Powers a, const Powers& b) {
     for (std::size_t i = 0; i < a.values.size(); ++i) a.values[i] += b.values[i];
     return a;

@@ -19,11 +19,12 @@ constexpr double rounding = 1e-9;
 // Round contacts measure their slip from the last step (contact_points.h).
 void rebase(ContactPoints& points, std::size_t i, std::span<const Frame> frames) {
   const PointGeometry g = geometry_of(points, i, frames);
-  PointHistory& history = points.history[i];
+  PointHistory history = points.history(i);
   history.anchor -= g.position;
   history.direction = g.normal;
   history.angle_corner = frames[points.corner_body[i]].angle;
   history.angle_edge = frames[points.edge_body[i]].angle;
+  points.set_history(i, history);
 }
 
 std::string number(double value) {
@@ -80,22 +81,22 @@ ImpulsePoint ContactImpulses::point_of(const ContactPoints& points, std::size_t 
   p.source = static_cast<std::uint32_t>(i);
   p.corner = points.corner_body[i], p.edge = points.edge_body[i];
   p.normal = g.normal, p.arm_corner = g.arm_corner, p.arm_edge = g.arm_edge;
-  p.friction = points.stiffness[i].friction;
+  p.friction = points.stiffness(i).friction;
   return p;
 }
 
 ContactImpulses::Approach ContactImpulses::approach_of(const ContactPoints& points, const ImpulsePoint& p,
                                                        const PointGeometry& g, double h) const {
-  const double kept = points.past[p.source].overlap;
+  const double kept = points.past(p.source).overlap;
   Approach a;
   a.overlap = g.overlap, a.slip = g.slip, a.position = g.position;
   // The anchor of a point that slid was set for the middle of a step of the same length.
-  if (slid(points.past[p.source], p.friction) && std::abs(h - last_step_) > rounding * h) a.slip = 0.0;
-  a.gap = (points.history[p.source].open ? std::max(0.0, kept) : kept) - g.overlap;
-  a.guess = {h * points.past[p.source].dashpot, -h * points.past[p.source].friction};
+  if (slid(points.past(p.source), p.friction) && std::abs(h - last_step_) > rounding * h) a.slip = 0.0;
+  a.gap = (points.open(p.source) ? std::max(0.0, kept) : kept) - g.overlap;
+  a.guess = {h * points.past(p.source).dashpot, -h * points.past(p.source).friction};
   a.before = relative_velocity(p, before_);
   // What overlaps and parts already, after another impact in its step, is not thrown apart.
-  if (points.history[p.source].open && a.before.x > 0.0) a.gap = std::max(a.gap, 0.0);
+  if (points.open(p.source) && a.before.x > 0.0) a.gap = std::max(a.gap, 0.0);
   const double given = relative_velocity(p, problem_.free_velocity).x - a.before.x;
   a.fast = a.before.x < -slowest_bounce * std::max(norm(model_.gravity) * h, std::abs(given));
   a.impact = a.fast && a.gap < -0.5 * h * a.before.x;
@@ -109,7 +110,7 @@ void ContactImpulses::collect(const ContactPoints& points, std::span<const Frame
   deepest_ratio_ = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const PointGeometry g = geometry_of(points, i, frames);
-    const double depth = g.overlap * points.inverse_width[i];
+    const double depth = g.overlap * points.inverse_width(i);
     if (depth < -out_of_reach) continue;
     if (depth > deepest_ratio_) deepest_ratio_ = depth, deepest_point_ = i;
     ImpulsePoint p = point_of(points, i, g);
@@ -247,8 +248,8 @@ double ContactImpulses::input_of(const ImpulsePoint& p, Vec2 total) const {
 
 void ContactImpulses::commit_point(ContactPoints& points, const ImpulsePoint& p, const Approach& a,
                                    Vec2 after, double h) const {
-  PointHistory& history = points.history[p.source];
-  PointPast& past = points.past[p.source];
+  PointHistory history = points.history(p.source);
+  PointPast past = points.past(p.source);
   // Where it will be at the next mid-step if it slides; where it stuck first if it does not.
   if (std::abs(a.total.y) >= (1.0 - rounding) * p.friction * a.total.x)
     history.anchor = a.position + h * after.y;
@@ -262,6 +263,7 @@ void ContactImpulses::commit_point(ContactPoints& points, const ImpulsePoint& p,
     past.overlap = a.overlap;
   else
     past.overlap = a.gap + a.overlap;
+  points.set_history(p.source, history), points.set_past(p.source, past);
 }
 
 Powers ContactImpulses::commit(ContactPoints& points, std::span<const Frame> frames, double h) {
@@ -276,8 +278,9 @@ Powers ContactImpulses::commit(ContactPoints& points, std::span<const Frame> fra
       work = work + Powers{{input_of(p, a.total), -a.total.x * mean.x, -a.total.y * mean.y, 0.0}};
       commit_point(points, p, a, after, h);
     } else {
-      points.history[i].open = true;
-      points.past[i] = {};
+      PointHistory history = points.history(i);
+      history.open = true;
+      points.set_history(i, history), points.set_past(i, {});
     }
     if (points.kind[i] == FeatureKind::round) rebase(points, i, frames);
   }
@@ -285,11 +288,13 @@ Powers ContactImpulses::commit(ContactPoints& points, std::span<const Frame> fra
 }
 
 void ContactImpulses::mean_forces(const ContactPoints& points, std::span<const Frame> frames,
-                                  std::span<PointLoad> loads) {
+                                  std::span<PairLoad> loads) {
+  std::fill(loads.begin(), loads.end(), PairLoad{});
   for (std::size_t i = 0; i < points.size(); ++i) {
     const PointGeometry g = geometry_of(points, i, frames);
-    const Vec2 force = points.past[i].dashpot * g.normal - points.past[i].friction * turned(g.normal);
-    loads[i] = {force.x, force.y, cross(g.arm_corner, force), -cross(g.arm_edge, force)};
+    const PointPast past = points.past(i);
+    const Vec2 force = past.dashpot * g.normal - past.friction * turned(g.normal);
+    loads[i / 2].add(points.corner_is_b(i), force, cross(g.arm_corner, force), -cross(g.arm_edge, force));
   }
 }
 

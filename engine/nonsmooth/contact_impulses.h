@@ -46,7 +46,7 @@ class ContactImpulses {
                std::span<const Vec2> terrains_before, std::span<const double> before, std::span<double> v);
   /// Mean forces over the last step, from what the points remember.
   static void mean_forces(const ContactPoints& points, std::span<const Frame> frames,
-                          std::span<PointLoad> loads);
+                          std::span<PairLoad> loads);
 
   /// Empty, or why no impulses were found.
   const std::string& trouble() const { return trouble_; }

@@ -10,6 +10,8 @@
 #include "engine/integrators/table.h"
 #include "engine/settle.h"
 #include "structures/layouts/layout.h"
+#include "tests/scenes/running.h"
+#include "tests/scenes/running_bond.h"
 
 namespace dougong {
 namespace {
@@ -56,12 +58,7 @@ double peak_megabytes() {
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
-// The argument is how much of the 20 s is run, in tenths of a second.
-void shake(benchmark::State& bench, const char* integrator) {
-  const Wall& w = wall();
-  engine::DriveOptions options;
-  options.integrator = integrator;
-  options.end_time = 0.1 * static_cast<double>(bench.range(0));
+void run_wall(benchmark::State& bench, const Wall& w, const engine::DriveOptions& options) {
   engine::RunOutcome run;
   std::size_t points = 0;
   std::clock_t ticks = 0;
@@ -83,6 +80,32 @@ void shake(benchmark::State& bench, const char* integrator) {
   bench.counters["peak_MB"] = peak_megabytes();
 }
 
+// The argument is how much of the 20 s is run, in tenths of a second.
+void shake(benchmark::State& bench, const char* integrator) {
+  engine::DriveOptions options;
+  options.integrator = integrator;
+  options.end_time = 0.1 * static_cast<double>(bench.range(0));
+  run_wall(bench, wall(), options);
+}
+
+// The wall S1 by which engines are compared: 1020 bricks with open head joints that settle by so many
+// micrometres, shaken at 2 Hz by so many hundredths of g, for so many tenths of a second.
+void s1(benchmark::State& bench) {
+  scenes::RunningBond brickwork;
+  brickwork.young_modulus *= 1e6 * scenes::settlement(brickwork) / static_cast<double>(bench.range(0));
+  const double amplitude = 0.01 * 9.81 * static_cast<double>(bench.range(1));
+  const engine::Scene scene = scenes::running_bond(brickwork, scenes::sine_motion(amplitude, 2.0));
+  Wall w{engine::compile(scene), {}};
+  w.settled = engine::initial_state(w.model, scene);
+  engine::settle(w.model, w.settled);
+  engine::DriveOptions options = scenes::run_for(0.1 * static_cast<double>(bench.range(2)), 0.05);
+  options.step_fraction = 0.9;
+  run_wall(bench, w, options);
+}
+
+BENCHMARK(s1)->Args({1000, 30, 100})->Iterations(1)->Unit(benchmark::kSecond);
+BENCHMARK(s1)->Args({12, 30, 20})->Iterations(1)->Unit(benchmark::kSecond);
+BENCHMARK(s1)->Args({1000, 150, 40})->Iterations(1)->Unit(benchmark::kSecond);
 BENCHMARK_CAPTURE(shake, velocity_verlet, "velocity-verlet")
     ->Arg(200)
     ->Iterations(1)

@@ -25,7 +25,7 @@ Running settled(const Scene& s) {
 // Contact forces and torques in the order of the coordinates, without dashpots.
 Eigen::VectorXd forces_at(const Running& r) {
   ContactPoints points = r.state.contacts.points;
-  std::vector<PointLoad> loads(points.size());
+  std::vector<PairLoad> loads(points.load_count());
   contact_forces(points, frames_of(r.model, r.state), false, loads);
   std::vector<Vec2> forces(r.model.size());
   std::vector<double> torques(r.model.size());

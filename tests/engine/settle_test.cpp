@@ -30,6 +30,18 @@ TEST(Settle, CompressesAColumnByItsWeight) {
   }
 }
 
+TEST(Settle, KeepsTheVelocitiesOfTheStartForTheRun) {
+  Scene s = scenes::block_on_ground(0.5, 0.1, 0.6, 1e9);
+  s.bodies[0].velocity = {2.0, 0.0};
+  Running r(s);
+  const double x = r.position().x;
+  ASSERT_TRUE(settle(r.model, r.state).settled);
+  EXPECT_NEAR(r.position().x, x, 1e-9);
+  EXPECT_EQ(r.velocity().x, 2.0);
+  r.run(scenes::run_for(1.0));
+  EXPECT_NEAR(r.position().x - x, 4.0 / (2.0 * 0.6 * 9.81), 1e-3);
+}
+
 TEST(Settle, BringsAWallToRestWithItsWeightOnTheGround) {
   Running r(scenes::wall(3, 5, 0.6, 1e9));
   const SettleReport report = settle(r.model, r.state);

@@ -26,7 +26,7 @@ Largest exact_spectrum(const Running& r) {
   const ContactPoints& points = r.state.contacts.points;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const PointGeometry g = geometry_of(points, i, frames);
-    const PointStiffness& law = points.stiffness[i];
+    const PointStiffness law = points.stiffness(i);
     const auto row = [&](Vec2 direction) {
       Eigen::VectorXd j = Eigen::VectorXd::Zero(3 * n);
       const auto add = [&](Index body, double sign, Vec2 arm) {

@@ -65,7 +65,8 @@ inline RockingRun rocking_run(const oracles::RockingBlock& c, double young_modul
 
 inline std::size_t closed_points(const Running& r) {
   std::size_t closed = 0;
-  for (const auto& history : r.state.contacts.points.history) closed += history.open ? 0 : 1;
+  const engine::ContactPoints& points = r.state.contacts.points;
+  for (std::size_t i = 0; i < points.size(); ++i) closed += points.open(i) ? 0 : 1;
   return closed;
 }
 

@@ -102,7 +102,7 @@ inline engine::Scene wall(int bricks, int courses, double friction, double young
 
 /// Makes the contacts remember that they touch: their friction springs are relaxed at the present poses.
 inline void touch(Running& r) {
-  std::vector<engine::PointLoad> loads(r.state.contacts.points.size());
+  std::vector<engine::PairLoad> loads(r.state.contacts.points.load_count());
   engine::contact_forces(r.state.contacts.points, engine::frames_of(r.model, r.state), true, loads);
 }
 
@@ -116,12 +116,10 @@ struct PointForce {
 inline std::vector<PointForce> point_forces(const engine::Model& model, const engine::State& state) {
   const auto frames = engine::frames_of(model, state);
   engine::ContactPoints points = state.contacts.points;
-  std::vector<engine::PointLoad> loads(points.size());
-  engine::contact_forces(points, frames, false, loads);
   std::vector<PointForce> forces;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const engine::PointGeometry g = engine::geometry_of(points, i, frames);
-    const engine::Vec2 f{loads[i].fx, loads[i].fy};
+    const engine::Vec2 f = engine::force_of(points, i, frames);
     forces.push_back(
         {frames[points.edge_body[i]].position() + g.arm_edge, dot(f, g.normal), dot(f, turned(g.normal))});
   }

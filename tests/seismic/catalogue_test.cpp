@@ -22,10 +22,12 @@ std::filesystem::path records() {
 
 TEST(Catalogue, FindsTheShippedRecordsByIdAndAlias) {
   const auto catalogue = read_catalogue(records());
-  ASSERT_EQ(catalogue.size(), 2u);
+  ASSERT_EQ(catalogue.size(), 5u);
   EXPECT_EQ(find_entry(catalogue, "wenchuan")->id, "wenchuan-synthetic");
   EXPECT_EQ(find_entry(catalogue, "Tohoku-Synthetic")->alias, "tohoku");
-  EXPECT_FALSE(find_entry(catalogue, "kobe").has_value());
+  for (const char* alias : {"kobe", "chichi", "kocaeli"})
+    EXPECT_TRUE(find_entry(catalogue, alias).has_value()) << alias;
+  EXPECT_FALSE(find_entry(catalogue, "lisbon").has_value());
 }
 
 TEST(Catalogue, FilesReadBackToTheMeasuresItStates) {

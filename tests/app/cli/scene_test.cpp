@@ -160,8 +160,8 @@ TEST_F(SceneCommand, NamesTheShippedRecordsForOneThatIsNot) {
   write("s.toml",
         stone +
             "[[terrain]]\nname = \"table\"\nshape = \"circle\"\nradius = \"1 m\"\nposition = [\"9 m\", "
-            "\"0 m\"]\nmotion = { record = \"kobe\" }\n");
-  expect_refusal({"scene", "run", "s.toml", "--out", "out"}, {"wenchuan-synthetic (wenchuan)", "\"kobe\""});
+            "\"0 m\"]\nmotion = { record = \"lisbon\" }\n");
+  expect_refusal({"scene", "run", "s.toml", "--out", "out"}, {"wenchuan-synthetic (wenchuan)", "\"lisbon\""});
 }
 
 TEST_F(SceneCommand, HasHelpWithExamples) {

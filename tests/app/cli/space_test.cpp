@@ -43,6 +43,23 @@ TEST_F(SpaceCommand, GivesTheSameBitsAsTheSceneItSaved) {
   EXPECT_EQ(read("a/energy.csv"), read("b/energy.csv"));
 }
 
+TEST_F(SpaceCommand, DoesNotWriteOverASavedSceneUnlessForced) {
+  write("scene.toml", "mine");
+  expect_refusal({"space", "--duration", "0.1 s", "--out", "a"}, {"save scene.toml", "exists", "--force"},
+                 piped(falling + "10\n"));
+  EXPECT_EQ(read("scene.toml"), "mine");
+  EXPECT_EQ(run({"space", "--duration", "0.1 s", "--out", "a", "--force"}, piped(falling + "10\n")).exit_code,
+            0);
+  EXPECT_NE(read("scene.toml"), "mine");
+}
+
+TEST_F(SpaceCommand, ShakesFromTheEquilibriumUnderGravity) {
+  const Ran ran = run({"space", "--earthquake", "--duration", "0.1 s", "--out", "out"},
+                      piped("plane -1 0 1 0 rect 0 0 0 0 2400 1 1 0 0.5 0 finish kobe 10"));
+  EXPECT_EQ(ran.exit_code, 0) << ran.out << ran.err;
+  EXPECT_THAT(ran.out, HasSubstr("at rest after"));
+}
+
 TEST_F(SpaceCommand, NeverTakesAnUnsafeStepSilently) {
   const Ran ran = run({"space", "--duration", "0.1 s", "--out", "out"},
                       piped("rect 0 0 0 0 2400 1 1 0 0.5 0 plane 0 0 1 0 finish 1"));
@@ -69,8 +86,8 @@ TEST_F(SpaceCommand, RefusesAFolderAndAFileThatIsNotThere) {
 }
 
 TEST_F(SpaceCommand, ListsTheShippedRecordsForOneThatIsNot) {
-  expect_refusal({"space", "--earthquake"}, {"wenchuan-synthetic (wenchuan)", "\"kocaeli\""},
-                 piped(falling + "kocaeli\n10\n"));
+  expect_refusal({"space", "--earthquake"}, {"wenchuan-synthetic (wenchuan)", "\"lisbon\""},
+                 piped(falling + "lisbon\n10\n"));
 }
 
 TEST_F(SpaceCommand, ShakesTheTerrainByARecord) {

@@ -13,6 +13,7 @@ namespace dougong::app {
 namespace {
 
 using ::testing::Contains;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -97,9 +98,59 @@ TEST(SceneRun, TakesTheAccuracyThatIsAskedFor) {
   EXPECT_EQ(draft.drive.integrator, "velocity-verlet");
   EXPECT_GT(draft.drive.step_fraction, 1.5 * standard.drive.step_fraction);
   EXPECT_THAT(draft.accuracy, HasSubstr("draft: "));
-  const PreparedScene reference = with("accuracy = \"reference\"\ntolerance = 1e-9");
+  const PreparedScene reference = with("accuracy = \"reference\"");
   EXPECT_EQ(reference.drive.integrator, "dormand-prince") << "few bodies: steps that end at impacts";
-  EXPECT_EQ(reference.drive.tolerance, 1e-9);
+}
+
+TEST(SceneRun, TakesAToleranceForAPositionOfTheDial) {
+  const PreparedScene p = prepared(box + "[solve]\ntolerance = 1e-9\n");
+  EXPECT_EQ(p.drive.integrator, "dormand-prince");
+  EXPECT_EQ(p.drive.tolerance, 1e-9);
+  EXPECT_THAT(p.accuracy, HasSubstr("tolerance 1e-09: "));
+  EXPECT_THROW(prepared(box + "[solve]\ntolerance = 0.5\n"), std::invalid_argument);
+}
+
+TEST(SceneRun, SaysWhatIsAskedForInsteadOfTheDial) {
+  const PreparedScene p = prepared(box + "[solve]\nstep_fraction = 0.02\n");
+  EXPECT_THAT(p.accuracy, HasSubstr("but 0.02 of the bound, as asked for"));
+  EXPECT_THROW(prepared(box + "[solve]\nintegrator = \"rk8\"\nstep_fraction = 0.1\n"), std::invalid_argument);
+}
+
+TEST(SceneRun, RefusesARockingRestitutionThatRigidContactsDoNotKnow) {
+  EXPECT_THROW(prepared("[materials.rubber]\nrocking_restitution = 0.8\n" + box +
+                        "[solve]\nintegrator = \"moreau-jean\"\n"),
+               std::invalid_argument);
+}
+
+TEST(SceneRun, SaysWhatOverlapsAtTheStart) {
+  EXPECT_TRUE(prepared(box).findings.empty());
+  SceneDescription d = scene(box);
+  d.bodies[0].shape.position.y -= 0.03;
+  EXPECT_THAT(prepare_scene(d, records).findings,
+              ElementsAre(HasSubstr("box and floor overlap by 0.03 m at the start, 3 %")));
+}
+
+TEST(SceneRun, SaysWhenOutputsMoveToTheMotionsSamples) {
+  SceneDescription d = scene(box + "[solve]\nduration = \"1 s\"\n[output]\nrate = \"30 Hz\"\n");
+  d.terrains[0].motion.emplace().source = "kobe";
+  EXPECT_THAT(prepare_scene(d, records).findings,
+              ElementsAre(HasSubstr("output every 0.03 s instead of 0.0333333 s"),
+                          HasSubstr("1.02 s are simulated instead of 1 s")));
+}
+
+// Charges that nothing touches: a smooth motion, whose energy comes from their field.
+TEST(SceneRun, LetsBodiesPassThatDoNotCollideAndCountsTheirField) {
+  const std::string charge =
+      "[[body]]\nshape = \"circle\"\nradius = \"0.1 m\"\nmass = \"1 kg\"\ncharge = \"1e-5 C\"\n"
+      "collides = false\n";
+  const SceneResult r = ran("gravity = \"none\"\n" + charge + "position = [\"0 m\", \"0 m\"]\n" + charge +
+                            "position = [\"1 m\", \"0 m\"]\n[fields]\ncoulomb_constant = \"8.9875517923e9 "
+                            "N m2/C2\"\n[solve]\nduration = \"1 s\"\n");
+  EXPECT_TRUE(r.valid) << r.reason;
+  const EnergyHistory& e = r.run.energy;
+  EXPECT_NEAR(e.field.front(), 0.898755, 1e-5);
+  EXPECT_NEAR(e.kinetic.back(), e.field.front() - e.field.back(), 1e-9);
+  EXPECT_LT(r.run.numerics.steps, 2000u) << "no contact bounds the step";
 }
 
 TEST(SceneRun, TakesTheIntegratorThatIsNamed) {
@@ -125,7 +176,7 @@ TEST(SceneRun, ShakesTheGroundByAShippedRecord) {
   const PreparedScene p = prepare_scene(d, records);
   EXPECT_THAT(modelled_terms(p), Contains(HasSubstr("motion of terrain floor")));
   EXPECT_GT(p.motions[0].duration, 100.0);
-  d.terrains[0].motion->source = "kobe";
+  d.terrains[0].motion->source = "lisbon";
   EXPECT_THROW(prepare_scene(d, records), seismic::InputError);
 }
 
@@ -193,6 +244,7 @@ accuracy = "reference"
     text.replace(text.find("STRENGTH"), 8, strength);
     const SceneResult r = ran(text);
     EXPECT_TRUE(r.valid) << r.reason;
+    EXPECT_EQ(r.run.model.bonded.at(0).broken < DrawnBond::never, strength == "1 kPa");
     return r.run.trajectory.position(r.run.trajectory.times.size() - 1, 0).y;
   };
   EXPECT_NEAR(height_with("1 MPa"), -0.5, 1e-4);

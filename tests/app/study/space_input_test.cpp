@@ -120,24 +120,25 @@ TEST_P(SpaceMistakes, AreNamedWithTheirLine) {
 }
 INSTANTIATE_TEST_SUITE_P(
     OfEveryKind, SpaceMistakes,
-    testing::Values(Wrong{"", "in.space: expected message, found the end of the input"},
-                    Wrong{"circ 0\n", "in.space:1: expected a message (cir, tri"},
-                    Wrong{"circ 0\n", "did you mean \"cir\"?"},
-                    Wrong{"\n\ncir 0 x",
-                          "in.space:3: expected velocity x (m/s) of cir as a number, found \"x\""},
-                    Wrong{"cir 0 1 2", "expected spin (rad/s) of cir, found the end of the input"},
-                    Wrong{"cir 0 1 2 3 50 4 5 -1", "radius (m) of cir above zero, found -1"},
-                    Wrong{"cir 0 1 2 3 0", "mass (kg) of cir above zero"}, Wrong{"cir nan", "found \"nan\""},
-                    Wrong{"cir inf", "found \"inf\""}, Wrong{"cir 1e999", "found \"1e999\""},
-                    Wrong{"cir \"0.3 m\"", "as a number"},
-                    Wrong{"tertri 0 0 1 1 2 2 ", "three corners of tertri that are not on one line"},
-                    Wrong{"plane 1 1 1 1", "two different points"},
-                    Wrong{"terrect 1 -1", "width (m) of terrect above zero"},
-                    Wrong{"finish", "at least one body before finish"},
-                    Wrong{"cir 0 0 0 0 1 0 0 1 finish", "expected n: the step is 0.01 s / n"},
-                    Wrong{"cir 0 0 0 0 1 0 0 1 finish 0", "above zero, found 0"},
-                    Wrong{"cir 0 0 0 0 1 0 0 1 finish -10", "above zero"},
-                    Wrong{"cir 0 0 0 0 1 0 0 1 save", "expected file of save, found the end"}));
+    testing::Values(
+        Wrong{"", "in.space: expected message, found the end of the input"},
+        Wrong{"circ 0\n", "in.space:1: expected a message (cir, tri"},
+        Wrong{"circ 0\n", "did you mean \"cir\"?"},
+        Wrong{"\n\ncir 0 x", "in.space:3: expected velocity x (m/s) of cir as a number, found \"x\""},
+        Wrong{"cir 0 1 2", "expected spin (rad/s) of cir, found the end of the input"},
+        Wrong{"cir 0 1 2 3 50 4 5 -1", "radius (m) of cir above zero, found -1"},
+        Wrong{"cir 0 1 2 3 0", "mass (kg) of cir above zero"}, Wrong{"cir nan", "found \"nan\""},
+        Wrong{"cir inf", "found \"inf\""}, Wrong{"cir 1e999", "found \"1e999\""},
+        Wrong{"cir \"0.3 m\"", "as a number"},
+        Wrong{"tertri 0 0 1 1 2 2 ", "three corners of tertri that are not on one line"},
+        Wrong{"plane 1 1 1 1", "two different points"},
+        Wrong{"terrect 1 -1", "width (m) of terrect above zero"},
+        Wrong{"finish", "at least one body before finish"},
+        Wrong{"cir 0 0 0 0 1 0 0 1 finish", "expected n: the step is 0.01 s / n"},
+        Wrong{"cir 0 0 0 0 1 0 0 1 finish 0", "above zero, found 0"},
+        Wrong{"cir 0 0 0 0 1 0 0 1 finish -10", "above zero"},
+        Wrong{"cir 0 0 0 0 1 0 0 1 finish\n10\ncir", "in.space:3: expected nothing after n, found \"cir\""},
+        Wrong{"cir 0 0 0 0 1 0 0 1 save", "expected file of save, found the end"}));
 
 TEST(SpaceInput, ThatEndsTooSoonSaysWhatWasExpected) {
   EXPECT_THAT(error("cir 0 1 2 3\n"),

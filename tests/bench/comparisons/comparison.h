@@ -17,13 +17,14 @@ struct Comparison {
 
 using Arguments = std::vector<std::string>;
 
-Comparison dry_walls();                                          // C01
-Comparison arch_thickness();                                     // C02
-Comparison tilting_arch();                                       // C03
-Comparison drum_column();                                        // C04
-Comparison stick_slip();                                         // C09
-Comparison brick_array(const Arguments& rate_and_restitution);   // M02
-Comparison granite_boulder(const Arguments& motions_and_block);  // M01
+Comparison dry_walls();                                                // C01
+Comparison arch_thickness();                                           // C02
+Comparison tilting_arch();                                             // C03
+Comparison drum_column();                                              // C04
+Comparison stick_slip();                                               // C09
+Comparison brick_array(const Arguments& rate_and_restitution);         // M02
+Comparison granite_boulder(const Arguments& motions_and_block);        // M01
+Comparison rocking_restitution(const Arguments& settings_and_ratios);  // M04
 
 /// Lines of numbers in columns of equal length, as gnuplot reads them. Keeps every `stride`-th line.
 std::string columns(const std::vector<std::vector<double>>& values, std::size_t stride = 1);

@@ -25,8 +25,8 @@ struct Contact {
     return dot(normal(f), corner(f) - model.origin - frames[f.edge_body].to_world(f.edge_point)) - f.radius;
   }
   void move(std::size_t body, Vec2 by, double turn = 0.0) {
-    frames[body].x += by.x, frames[body].y += by.y, frames[body].angle += turn;
-    sine_cosine(frames[body].angle, frames[body].s, frames[body].c);
+    frames[body].x += by.x, frames[body].y += by.y;
+    frames[body].turn_to(frames[body].angle + turn);
   }
 };
 

@@ -42,8 +42,8 @@ inline std::vector<Frame> frames_at_start(const Model& model, const Scene& scene
   std::vector<Frame> frames(model.size());
   for (std::size_t i = 0; i < model.body_count; ++i) {
     const Vec2 p = scene.bodies[i].position - model.origin;
-    frames[i].x = p.x, frames[i].y = p.y, frames[i].angle = scene.bodies[i].angle;
-    sine_cosine(frames[i].angle, frames[i].s, frames[i].c);
+    frames[i].x = p.x, frames[i].y = p.y;
+    frames[i].turn_to(scene.bodies[i].angle);
   }
   place_terrains(model, 0.0, false, frames);
   return frames;

@@ -11,8 +11,8 @@ namespace {
 
 Frame pose(Vec2 position, double angle) {
   Frame f;
-  f.x = position.x, f.y = position.y, f.angle = angle;
-  sine_cosine(angle, f.s, f.c);
+  f.x = position.x, f.y = position.y;
+  f.turn_to(angle);
   return f;
 }
 

@@ -31,17 +31,17 @@ Scene cluster(unsigned seed, double friction, double damping_ratio) {
 }
 
 struct Loads {
-  std::vector<PointLoad> points;
+  std::vector<PairLoad> pairs;
   std::vector<Vec2> forces;
   std::vector<double> torques;
 };
 
 Loads loads_of(const Running& r) {
   ContactPoints points = r.state.contacts.points;
-  Loads l{std::vector<PointLoad>(points.size()), std::vector<Vec2>(r.model.size()),
+  Loads l{std::vector<PairLoad>(points.load_count()), std::vector<Vec2>(r.model.size()),
           std::vector<double>(r.model.size())};
-  contact_forces(points, frames_of(r.model, r.state), false, l.points);
-  r.state.contacts.gather(l.points, l.forces, l.torques);
+  contact_forces(points, frames_of(r.model, r.state), false, l.pairs);
+  r.state.contacts.gather(l.pairs, l.forces, l.torques);
   return l;
 }
 
@@ -67,8 +67,8 @@ TEST(ContactForces, LeaveTheMomentaOfAnIsolatedClusterAlone) {
 double end_force(const Running& r, std::size_t i) {
   const ContactPoints& points = r.state.contacts.points;
   const PointGeometry g = geometry_of(points, i, frames_of(r.model, r.state));
-  const double overlap = std::max(0.0, g.overlap), slope = bearing_share(points.bearing[i], g.position).slope;
-  return 0.5 * slope * points.stiffness[i].normal * overlap * overlap;
+  const double overlap = std::max(0.0, g.overlap), slope = bearing_share(points.bearing(i), g.position).slope;
+  return 0.5 * slope * points.stiffness(i).normal * overlap * overlap;
 }
 
 TEST(ContactForces, AreNeverTensileAndObeyCoulomb) {
@@ -129,10 +129,10 @@ TEST(ContactForces, TakeTheWorkOfFrictionOnly) {
   s.bodies[0].velocity = {2.0, 0.0};
   Running r(s);
   ContactPoints& points = r.state.contacts.points;
-  std::vector<PointLoad> loads(points.size());
+  std::vector<PairLoad> loads(points.load_count());
   const ContactTotals totals = contact_forces(points, frames_of(r.model, r.state), true, loads);
   double normal = 0.0;
-  for (const PointLoad& load : loads) normal += load.fy;
+  for (const PairLoad& load : loads) normal += load.fy;
   EXPECT_NEAR(totals.tangential_power, 0.4 * normal * 2.0, 1e-9 * normal);
   EXPECT_NEAR(totals.damping_power, 0.0, 1e-9 * normal);
   EXPECT_NEAR(totals.deepest_ratio, 1e-5 / 0.2, 1e-10);
@@ -170,7 +170,7 @@ TEST(SlipAnchor, StaysWhileTheSpringHoldsLessThanFrictionAllows) {
   scenes::touch(r);
   r.state.q()[0] -= 1e-6;  // so the spring is below the limit again, and by kt times that
   const auto f = scenes::point_forces(r.model, r.state)[0];
-  const double kt = r.state.contacts.points.stiffness[0].tangential;
+  const double kt = r.state.contacts.points.stiffness(0).tangential;
   EXPECT_NEAR(std::abs(f.tangential), 0.4 * f.normal - kt * 1e-6, 1e-6 * f.normal);
 }
 

@@ -12,8 +12,10 @@ using scenes::run_for;
 using scenes::Running;
 
 bool all_rest(const Running& r) {
-  const auto& history = r.state.contacts.points.history;
-  return std::all_of(history.begin(), history.end(), [](const PointHistory& h) { return h.resting; });
+  const ContactPoints& points = r.state.contacts.points;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (!points.history(i).resting) return false;
+  return true;
 }
 
 double safe_step(const Running& r) {
@@ -78,7 +80,8 @@ TEST(RestingFace, KeepsTheDampingRatioOfItsMaterialsIfThatIsLess) {
   Scene s = scenes::block_on_ground(0.25, 1.0, 0.6);
   s.materials[0].damping_ratio = 0.1;
   const Running r(s);
-  for (const PointStiffness& law : r.state.contacts.points.stiffness) EXPECT_EQ(law.resting, 1.0);
+  for (std::size_t i = 0; i < r.state.contacts.points.size(); ++i)
+    EXPECT_EQ(r.state.contacts.points.stiffness(i).resting, 1.0);
 }
 
 }  // namespace

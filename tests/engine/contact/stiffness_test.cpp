@@ -25,7 +25,7 @@ TEST(PointStiffness, IsTwoColumnsInSeries) {
     s.bodies[0].thickness = 0.7;
     s.bodies[1].material = 1;
     const Running r(s);
-    const PointStiffness& p = r.state.contacts.points.stiffness.at(0);
+    const PointStiffness p = r.state.contacts.points.stiffness(0);
     const double per_area = 1.0 / (0.2 / 30e9 + upper_height / 5e9);
     EXPECT_NEAR(p.normal, per_area * 0.6 * 0.7 / 2.0, 1e-9 * p.normal);
     EXPECT_NEAR(p.tangential / p.normal, 0.5 / 1.2, 1e-12);
@@ -37,7 +37,7 @@ TEST(PointStiffness, OnTerrainIsTheBlocksOwnColumn) {
   for (const double h : {0.2, 1.0}) {
     const Running r(scenes::block_on_ground(0.25, h, 0.7));
     const double m = r.model.mass[0], i = r.model.inertia[0];
-    const PointStiffness& p = r.state.contacts.points.stiffness.at(0);
+    const PointStiffness p = r.state.contacts.points.stiffness(0);
     EXPECT_NEAR(p.normal, 30e9 / h * 0.5 / 2.0, 1e-9 * p.normal);
     const double felt_normal = 1.0 / (1.0 / m + 0.25 * 0.25 / i),
                  felt_tangential = 1.0 / (1.0 / m + h * h / i);
@@ -52,7 +52,7 @@ double stiffness_with_length(double length) {
   Scene s = scenes::scene(0.6);
   s.bodies = {scenes::block(0.5, 0.2, {0.0, 0.2}), scenes::block(0.5, 0.15, {1.0 - length, 0.55})};
   const Running r(s);
-  return r.state.contacts.points.stiffness.at(0).normal;
+  return r.state.contacts.points.stiffness(0).normal;
 }
 
 TEST(PointStiffness, OfTwoCornersIsThatOfHalfAWidthWithoutAStep) {
@@ -72,8 +72,7 @@ TEST(PointStiffness, OfADiscIsJohnsonsLine) {
   s.bodies = {disc};
   s.terrains.push_back(scenes::ground());
   const Running r(s);
-  EXPECT_NEAR(r.state.contacts.points.stiffness.at(0).normal, std::numbers::pi / 4.0 * 30e9 / (1.0 - 0.04),
-              1.0);
+  EXPECT_NEAR(r.state.contacts.points.stiffness(0).normal, std::numbers::pi / 4.0 * 30e9 / (1.0 - 0.04), 1.0);
 }
 
 TEST(PointStiffness, CanBeGiven) {
@@ -82,8 +81,8 @@ TEST(PointStiffness, CanBeGiven) {
   s.contact.tangential_ratio = 0.25;
   const Running r(s);
   for (std::size_t i = 0; i < 2; ++i) {
-    EXPECT_EQ(r.state.contacts.points.stiffness[i].normal, 1e8);
-    EXPECT_EQ(r.state.contacts.points.stiffness[i].tangential, 0.25e8);
+    EXPECT_EQ(r.state.contacts.points.stiffness(i).normal, 1e8);
+    EXPECT_EQ(r.state.contacts.points.stiffness(i).tangential, 0.25e8);
   }
 }
 

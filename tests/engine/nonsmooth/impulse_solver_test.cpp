@@ -33,7 +33,7 @@ ImpulseProblem problem_of(const scenes::Running& r, double sideways) {
     ImpulsePoint p;
     p.corner = points.corner_body[i], p.edge = points.edge_body[i];
     p.normal = g.normal, p.arm_corner = g.arm_corner, p.arm_edge = g.arm_edge;
-    p.friction = points.stiffness[i].friction;
+    p.friction = points.stiffness(i).friction;
     problem.points.push_back(p);
   }
   return problem;

@@ -107,7 +107,7 @@ TEST(DrumColumn, HasTheJointStiffnessAsked) {
       const auto frames = frames_of(r.model, r.state);
       const double y =
           (frames[r.state.contacts.points.edge_body[i]].position() + geometry.arm_edge + r.model.origin).y;
-      if (std::abs(y - bottom) < 1e-6) total += r.state.contacts.points.stiffness[i].normal;
+      if (std::abs(y - bottom) < 1e-6) total += r.state.contacts.points.stiffness(i).normal;
     }
     expect_relative("C04", "joint " + std::to_string(joint) + " stiffness per area", c.joint_stiffness,
                     total / length, 0.02);

@@ -283,7 +283,7 @@ BoxRun run_box(const Scene& s, double until, double step_fraction) {
     const auto& points = r.state.contacts.points;
     std::set<std::pair<Index, Index>> closed;
     for (std::size_t i = 0; i < points.size(); ++i)
-      if (!points.history[i].open) closed.emplace(points.corner_body[i], points.edge_body[i]);
+      if (!points.open(i)) closed.emplace(points.corner_body[i], points.edge_body[i]);
     for (const auto& pair : closed) run.collisions += touching.count(pair) == 0 ? 1 : 0;
     touching = std::move(closed);
     return Wish::go_on;

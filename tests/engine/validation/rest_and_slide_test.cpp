@@ -44,7 +44,7 @@ void load_friction(Running& r, const oracles::Incline& c) {
   const double weight = r.model.mass[0] * c.g, friction = c.friction_over_weight() * weight;
   const double uphill = std::min(0.5 * friction, c.friction * c.uphill_share() * weight * std::cos(c.slope));
   const Vec2 slip =
-      ((friction - uphill) / r.state.contacts.points.stiffness.at(0).tangential) * rotated({1, 0}, -c.slope);
+      ((friction - uphill) / r.state.contacts.points.stiffness(0).tangential) * rotated({1, 0}, -c.slope);
   r.state.q()[0] += slip.x, r.state.q()[1] += slip.y;
 }
 
