@@ -152,7 +152,8 @@ void add_space(CLI::App& app, Request& r) {
                     "(concrete with friction 0.5)");
   space->add_option("--duration", r.space.duration, "Simulated time (\"10 s\")");
   space->add_option("--out", r.space.out, "Folder for the results (dougong-out)");
-  space->add_flag("--force", r.space.force, "Write into a folder that already holds something");
+  space->add_flag("--force", r.space.force,
+                  "Write into a folder that already holds something, and over a saved scene");
   space->footer(
       "Messages, all values bare numbers in SI units:\n"
       "  cir      charge  velocity x y  spin  mass  centre x y  radius\n"

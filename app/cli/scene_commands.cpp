@@ -43,7 +43,7 @@ void describe_scenario(const fs::path& file, const std::vector<Override>& overri
 int scene_check_command(const SceneOptions& options) {
   const PreparedScene scene = check_scene(description_of(options), records_directory());
   print(scene_text(scene));
-  fmt::print("{}: nothing wrong with it\n", options.file);
+  if (scene.findings.empty()) fmt::print("{}: nothing wrong with it\n", options.file);
   return exit_survived;
 }
 

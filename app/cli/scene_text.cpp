@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "app/report/text.h"
@@ -56,6 +57,16 @@ ToneLine headline(const SceneResult& r) {
   return {fmt::format("Completed: {:.4g} s simulated.", n.end_time), Tone::good};
 }
 
+// "3 of 5 cracked, 2 of them broken; the first, joint 2, at 1.24 s"
+std::string bonds_text(const std::vector<DrawnBond>& bonds) {
+  const auto cracked = std::ranges::count_if(bonds, [](const DrawnBond& b) { return b.cracked < b.never; });
+  const auto broken = std::ranges::count_if(bonds, [](const DrawnBond& b) { return b.broken < b.never; });
+  if (cracked == 0) return plural(bonds.size(), "bond") + ", none cracked";
+  const DrawnBond& first = *std::ranges::min_element(bonds, {}, &DrawnBond::cracked);
+  return fmt::format("{} of {} cracked, {} broken; the first, {}, at {:.4g} s", cracked, bonds.size(), broken,
+                     first.name, first.cracked);
+}
+
 }  // namespace
 
 std::vector<std::string> scene_text(const PreparedScene& p) {
@@ -68,6 +79,7 @@ std::vector<std::string> scene_text(const PreparedScene& p) {
   lines.push_back(row("frequency", frequency_text(p)));
   lines.push_back(row("numerics", step_text(p)));
   if (!p.accuracy.empty()) lines.push_back(row("accuracy", p.accuracy));
+  for (const std::string& finding : p.findings) lines.push_back(row("warning", finding));
   for (const TerrainMotion& motion : p.motions)
     for (const std::string& warning : motion.warnings) lines.push_back(row("warning", warning));
   return lines;
@@ -90,6 +102,7 @@ std::vector<ToneLine> scene_answer_text(const SceneResult& r) {
                                               significant(100.0 * r.run.energy.relative_error, 2),
                                               significant(100.0 * n.deepest_overlap_ratio, 2), n.steps,
                                               r.run.reproducibility.wall_seconds))});
+  if (!r.run.model.bonded.empty()) lines.push_back({row("bonds", bonds_text(r.run.model.bonded))});
   lines.push_back({row("state", r.run.reproducibility.state_hash + " (the same bits, the same hash)")});
   for (const std::string& warning : n.warnings) lines.push_back({row("warning", warning), Tone::doubtful});
   return lines;

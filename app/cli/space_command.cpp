@@ -61,6 +61,8 @@ int space_command(const SpaceOptions& options) {
   SpaceInput input = options.file.empty() ? read_standard_input(options) : read_messages(options);
   SceneDescription& description = input.description;
   description.solve.duration = duration;
+  // A motion starts from the equilibrium under gravity, not from stones just laid down.
+  description.solve.settle = options.earthquake;
   description.output.film = true;
   if (!options.file.empty()) description.head.title = fs::path(options.file).stem().string();
   if (!options.out.empty()) description.output.directory = options.out;
@@ -68,6 +70,8 @@ int space_command(const SpaceOptions& options) {
   Terminal terminal(stdout);
   terminal.line(row("step", choose_space_step(description, input.divisor, records_directory())));
   for (const std::string& path : input.save_paths) {
+    if (!options.force && fs::exists(path))
+      throw ScenarioError({{"save " + path, "the file exists; choose another name, or --force"}});
     write_file(path, to_toml(description));
     terminal.line(row("saved", path));
   }

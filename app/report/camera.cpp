@@ -54,12 +54,26 @@ std::vector<Vec2> kept_by(const Side& side, const std::vector<Vec2>& outline) {
 /// What of the terrain a picture of the bodies should show: not more than again their own size around.
 constexpr double terrain_reach = 0.6;  // of the bodies' extent
 
+/// Of ground that goes on downwards a strip is enough.
+constexpr double ground_depth = 0.1;  // of the bodies' extent
+
+std::vector<Vec2> without_the_deep(std::vector<Vec2> outline, double bottom, double depth) {
+  const auto deep = std::ranges::partition(outline, [&](Vec2 p) { return p.y > bottom; });
+  if (deep.empty() || deep.size() == outline.size()) return outline;
+  outline.erase(deep.begin(), deep.end());
+  Vec2 lowest = *std::ranges::min_element(outline, {}, &Vec2::y);
+  lowest.y = std::max(bottom, lowest.y - depth);
+  outline.push_back(lowest);
+  return outline;
+}
+
 void include_terrain(Box& box, const ModelSheet& model) {
   const double extent = std::max(box.width(), box.height());
   const Box near = box.grown(terrain_reach * extent);
   for (const DrawnShape& terrain : model.terrains)
     for (const auto& outline : outlines(terrain, described_pose(terrain)))
-      include(box, clipped_outline(outline, near));
+      include(box, without_the_deep(clipped_outline(outline, near), near.low.y + 1e-6 * extent,
+                                    ground_depth * extent));
 }
 
 Vec2 relative_position(const Trajectory& t, std::size_t step, std::size_t block) {

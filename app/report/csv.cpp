@@ -1,5 +1,6 @@
 #include "app/report/csv.h"
 
+#include <algorithm>
 #include <functional>
 
 #include "app/report/text.h"
@@ -86,6 +87,8 @@ std::string energy_csv(const RunResult& run) {
                               numbers("elastic (J)", e.elastic),         numbers("friction (J)", e.friction),
                               numbers("damping (J)", e.damping),         numbers("error (J)", e.error)};
   if (run.model.bonds > 0) columns.insert(columns.end() - 1, numbers("fracture (J)", e.fracture));
+  if (std::ranges::any_of(e.field, [](double value) { return value != 0.0; }))
+    columns.insert(columns.end() - 1, numbers("field (J)", e.field));
   return table(columns, run.trajectory.times.size());
 }
 

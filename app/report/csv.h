@@ -21,5 +21,7 @@ std::string motion_csv(const RunResult& run);
 struct SceneResult;
 /// Tidy: one row a body and output time, with the quantities that the scene keeps.
 std::string bodies_csv(const SceneResult& result);
+/// When every bond cracked and broke; empty where it did not.
+std::string bonds_csv(const SceneResult& result);
 
 }  // namespace dougong::app

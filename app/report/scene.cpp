@@ -212,6 +212,22 @@ void draw_links(Drawing& drawing, const ModelSheet& model, const Camera& camera,
   }
 }
 
+/// Bonds: the bonded face in blue, cracked in orange, broken as a thin red line.
+template <class PoseOf>
+void draw_bonds(Drawing& drawing, const ModelSheet& model, const Camera& camera, double scale, double time,
+                PoseOf pose_of) {
+  for (const DrawnBond& bond : model.bonded) {
+    const Pose pose = pose_of(bond.owner);
+    const auto at = [&](Vec2 local) {
+      return camera.to_pixels(pose.position + engine::rotated(local, pose.angle));
+    };
+    const Vec2 a = at(bond.start), b = at(bond.end);
+    if (!drawable({a, b, a})) continue;
+    const bool broken = bond.broken <= time, cracked = bond.cracked <= time;
+    drawing.line(a, b, (broken ? 0.9 : 2.4) * scale, broken ? ink::lost : cracked ? ink::cracked : ink::bond);
+  }
+}
+
 Image world_image(const RunResult& run, const Frame& frame, const SceneView& view, int width, int height) {
   Camera camera{view.box, width / view.box.width()};
   Drawing drawing;
@@ -225,12 +241,14 @@ Image world_image(const RunResult& run, const Frame& frame, const SceneView& vie
     draw_block(drawing, run.model.blocks[i], pose_at(run.trajectory, frame.step, i, view.magnification),
                camera, fill, view.scale);
   }
-  draw_links(drawing, run.model, camera, view.scale, [&](std::size_t owner) {
+  const auto pose_of = [&](std::size_t owner) {
     if (owner < run.trajectory.blocks) return pose_at(run.trajectory, frame.step, owner, view.magnification);
     const std::size_t terrain = owner - run.trajectory.blocks;
     const Pose pose = described_pose(run.model.terrains[terrain]);
     return Pose{pose.position + terrain_displacement(run, frame.step, terrain), pose.angle};
-  });
+  };
+  draw_bonds(drawing, run.model, camera, view.scale, frame.time, pose_of);
+  draw_links(drawing, run.model, camera, view.scale, pose_of);
   return drawing.render(width, height);
 }
 
@@ -493,6 +511,8 @@ SceneView view_of(const RunResult& run, const std::vector<Frame>& frames) {
     view.meaning =
         rides ? "displacement relative to the ground since the start" : "displacement since the start";
   }
+  if (!run.model.bonded.empty())
+    view.camera += std::string(view.camera.empty() ? "" : " ") + "Bonds: blue; cracked orange, broken red.";
   view.box = framed(run_bounds(run, steps, view.magnification));
   return view;
 }
@@ -543,10 +563,12 @@ Image draw_model(const ModelSheet& model) {
   for (const DrawnShape& terrain : model.terrains) draw_terrain(drawing, terrain, camera, s);
   for (const DrawnShape& block : model.blocks)
     draw_block(drawing, block, described_pose(block), camera, storey_colour(block.storey), s);
-  draw_links(drawing, model, camera, s, [&](std::size_t owner) {
+  const auto pose_of = [&](std::size_t owner) {
     return described_pose(owner < model.blocks.size() ? model.blocks[owner]
                                                       : model.terrains[owner - model.blocks.size()]);
-  });
+  };
+  draw_bonds(drawing, model, camera, s, 0.0, pose_of);
+  draw_links(drawing, model, camera, s, pose_of);
   const double label_room = model.storeys.empty() ? 14 : 120, least_width = 460, footer = 50;
   Image image(std::max(width + px(label_room + page_margin, s), px(least_width, s)),
               px(header_height + footer, s) + height);
@@ -557,8 +579,10 @@ Image draw_model(const ModelSheet& model) {
   draw_scale_bar(image, fonts, page_margin * s, foot, camera.pixels_per_metre, s);
   const std::string counts = model.free_scene ? plural(model.blocks.size(), "body")
                                               : "Colour: storey. " + plural(model.blocks.size(), "block");
-  fonts.small.draw(image, counts + ", " + drawn_mass(model.mass) + ".", page_margin * s, foot + 32 * s,
-                   ink::quiet);
+  std::string line = counts + ", " + drawn_mass(model.mass);
+  if (!model.links.empty()) line += ", " + plural(model.links.size(), "joint") + " (rings)";
+  if (!model.bonded.empty()) line += ", " + plural(model.bonded.size(), "bond") + " (blue)";
+  fonts.small.draw(image, line + ".", page_margin * s, foot + 32 * s, ink::quiet);
   return image;
 }
 

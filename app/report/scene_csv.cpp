@@ -35,6 +35,14 @@ std::string row(const SceneResult& r, const Wanted& wanted, std::size_t step, st
 
 }  // namespace
 
+std::string bonds_csv(const SceneResult& result) {
+  const auto time = [](double t) { return t < DrawnBond::never ? exact(t) : std::string(); };
+  std::string text = "bond,cracked (s),broken (s)\n";
+  for (const DrawnBond& bond : result.run.model.bonded)
+    text += csv_text(bond.name) + "," + time(bond.cracked) + "," + time(bond.broken) + "\n";
+  return text;
+}
+
 std::string bodies_csv(const SceneResult& result) {
   const Wanted wanted{keeps(result, "position"), keeps(result, "velocity"), keeps(result, "acceleration")};
   std::string text = head(wanted);

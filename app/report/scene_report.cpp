@@ -105,6 +105,7 @@ std::string image_of(const SceneResult& r) {
   writer.group("energy", [&] {
     walk_energy(writer, r.run.energy);
     writer.field("fracture", "J", r.run.energy.fracture);
+    writer.field("field", "J", r.run.energy.field);
   });
   writer.group("numerics", [&] { walk_numerics(writer, r.run.numerics); });
   writer.group("reproducibility", [&] { walk_reproducibility(writer, r.run.reproducibility); });
@@ -158,6 +159,10 @@ std::vector<std::string> write_scene_report(const SceneResult& result,
   write_file(directory / "scene.toml", result.run.reproducibility.scenario);
   write_file(directory / "bodies.csv", bodies_csv(result));
   write_file(directory / "energy.csv", energy_csv(result.run));
+  if (!result.run.model.bonded.empty()) {
+    write_file(directory / "bonds.csv", bonds_csv(result));
+    files.push_back("bonds.csv");
+  }
   write_pictures(result, directory, files);
   return files;
 }

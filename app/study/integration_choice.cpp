@@ -10,10 +10,33 @@
 namespace dougong::app {
 namespace {
 
-void refuse_tolerance(const IntegrationChoice& choice, const std::string& integrator) {
-  if (choice.tolerance && !engine::traits_of(integrator).adaptive)
-    throw std::invalid_argument(
-        fmt::format("solve.tolerance: {} takes steps of a given size; leave it out", integrator));
+bool is_automatic(const IntegrationChoice& choice) {
+  return choice.integrator == automatic_integrator;
+}
+
+void refuse(const char* key, const std::string& integrator, const char* what) {
+  throw std::invalid_argument(fmt::format("solve.{}: {} {}; leave it out", key, integrator, what));
+}
+
+// What an integrator does not look at is not passed over in silence.
+void refuse_what_does_nothing(const IntegrationChoice& choice, const std::string& integrator) {
+  const bool adaptive = engine::traits_of(integrator).adaptive, automatic = is_automatic(choice);
+  if (choice.tolerance && !adaptive && !automatic)
+    refuse("tolerance", integrator, "takes steps of a given size");
+  if (choice.step_fraction && adaptive) refuse("step_fraction", integrator, "chooses its own steps");
+}
+
+// With the integrator left open a tolerance is a position of the dial.
+engine::Accuracy accuracy_asked_for(const IntegrationChoice& choice) {
+  const bool dials = is_automatic(choice) && choice.tolerance;
+  return engine::accuracy_from(dials ? fmt::format("{}", *choice.tolerance) : choice.accuracy);
+}
+
+std::string explained(const engine::ResolvedAccuracy& chosen, const IntegrationChoice& choice) {
+  if (choice.step) return chosen.explanation + "; but the step that was asked for";
+  if (choice.step_fraction)
+    return fmt::format("{}; but {} of the bound, as asked for", chosen.explanation, *choice.step_fraction);
+  return chosen.explanation;
 }
 
 template <std::size_t... I>
@@ -31,15 +54,15 @@ std::vector<std::string> integrator_choices() {
 
 std::string choose_integration(const IntegrationChoice& choice, const engine::Model& model,
                                engine::DriveOptions& options) {
-  const auto chosen = engine::resolve_accuracy(engine::accuracy_from(choice.accuracy), model);
+  const auto chosen = engine::resolve_accuracy(accuracy_asked_for(choice), model);
   engine::apply(chosen, options);
-  const bool automatic = choice.integrator == automatic_integrator;
+  const bool automatic = is_automatic(choice);
   if (!automatic) options.integrator = choice.integrator;
-  refuse_tolerance(choice, options.integrator);
+  refuse_what_does_nothing(choice, options.integrator);
   options.step_fraction = choice.step_fraction.value_or(options.step_fraction);
-  options.tolerance = choice.tolerance.value_or(options.tolerance);
+  if (!automatic) options.tolerance = choice.tolerance.value_or(options.tolerance);
   options.step = choice.step;
-  return automatic ? chosen.explanation : "";
+  return automatic ? explained(chosen, choice) : "";
 }
 
 }  // namespace dougong::app

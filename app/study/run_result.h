@@ -2,6 +2,7 @@
 // from. SI units and radians.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,6 +31,16 @@ struct DrawnShape {
 struct DrawnLink {
   std::size_t a = 0, b = 0;
   engine::Vec2 anchor_a, anchor_b;  // m
+};
+
+/// A bond as it is drawn: its face in the frame of a body or terrain, and when it cracked and broke. A face
+/// that cracked touches and holds tension only where it is not broken.
+struct DrawnBond {
+  std::string name;
+  std::size_t owner = 0;                   // numbered as in DrawnLink
+  engine::Vec2 start, end;                 // m
+  double cracked = never, broken = never;  // s
+  static constexpr double never = std::numeric_limits<double>::infinity();
 };
 
 struct NamedValue {
@@ -63,6 +74,7 @@ struct ModelSheet {
   std::vector<std::string> not_modelled;
   std::vector<std::string> findings;  // of the model check
   std::vector<DrawnLink> links;       // joints; only in memory
+  std::vector<DrawnBond> bonded;      // only in memory
   bool free_scene = false;            // pictures frame the terrain too and know no storeys; only in memory
   bool trails = false;                // pictures draw the paths of the bodies; only in memory
 };
@@ -86,6 +98,7 @@ struct MotionSheet {
 struct EnergyHistory {
   std::vector<double> input, kinetic, gravity, elastic, friction, damping, error;
   std::vector<double> fracture;  // lost in bonds; empty in a results file that knows no bonds
+  std::vector<double> field;     // of gravitation and charges; empty in one that knows no fields
   double largest_input = 0.0;    // J, greatest |input|
   /// Greatest |error| over the energy turned over: the greatest sum of |input| and of what gravity gave. A
   /// collapse is driven by gravity, whose energy is a hundred times that of the shaking.

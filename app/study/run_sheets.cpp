@@ -120,7 +120,7 @@ void EnergyRecorder::note(const engine::Model& model, const engine::State& state
   const std::pair<std::vector<double>*, double> columns[] = {
       {&energy.input, e.input},           {&energy.kinetic, e.kinetic},   {&energy.gravity, e.gravity},
       {&energy.elastic, e.elastic},       {&energy.friction, e.friction}, {&energy.damping, e.damping},
-      {&energy.error, turnover_.error()}, {&energy.fracture, e.fracture}};
+      {&energy.error, turnover_.error()}, {&energy.fracture, e.fracture}, {&energy.field, e.field}};
   for (const auto& [column, value] : columns) column->push_back(value);
   energy.largest_input = std::max(energy.largest_input, std::abs(e.input));
   energy.relative_error = turnover_.relative_error();
@@ -129,7 +129,7 @@ void EnergyRecorder::note(const engine::Model& model, const engine::State& state
 double deepest_overlap_ratio(const engine::ContactPoints& points, std::span<const engine::Frame> frames) {
   double deepest = 0.0;
   for (std::size_t i = 0; i < points.size(); ++i)
-    deepest = std::max(deepest, engine::geometry_of(points, i, frames).overlap * points.inverse_width[i]);
+    deepest = std::max(deepest, engine::geometry_of(points, i, frames).overlap * points.inverse_width(i));
   return deepest;
 }
 

@@ -87,6 +87,8 @@ std::vector<Key<BodyChoice>> body_keys() {
                 "c of the force c v against the velocity"),
       number<B>("quadratic_drag", AT(B, quadratic_drag), Dimension::quadratic_drag, 0, endless,
                 "c of the force c v2 against the velocity"),
+      {{.name = "collides", .meaning = "false: fields move it and nothing touches it", .choices = {}},
+       AT(B, collides)},
   };
   keys.insert(keys.end(), std::begin(more), std::end(more));
   return keys;
@@ -221,11 +223,12 @@ std::vector<Key<BondChoice>> bond_keys() {
       number<B>("tensile_strength", AT(B, tensile_strength), pressure, 0, endless, "none: never breaks"),
       number<B>("cohesion", AT(B, cohesion), pressure, 0, endless,
                 "shear strength without normal stress; none: endless"),
-      number<B>("friction", AT(B, friction), ratio, 0, 1e3, "of the bonded and of the broken face"),
+      number<B>("friction", AT(B, friction), ratio, 0, 1e3,
+                "of the bonded face; one that has cracked has its materials'"),
       number<B>("fracture_energy", AT(B, fracture_energy), Dimension::fracture_energy, 0, endless,
                 "in tension; 0: breaks at once"),
       number<B>("yield_strength", AT(B, yield_strength), pressure, 0, endless,
-                "ductile, in tension; none: does not yield"),
+                "ductile, in tension, if below the tensile strength; none: does not yield"),
       number<B>("damping_ratio", AT(B, damping_ratio), ratio, 0, 1e3, "local"),
   };
 }
@@ -280,7 +283,8 @@ std::vector<Key<SceneSolve>> solve_keys() {
                 "time step as a part of the stability bound, instead of accuracy's"),
       number<S>("step", AT(S, step), time, above_zero, endless,
                 "time step, instead of both; refused above the stability bound"),
-      number<S>("tolerance", AT(S, tolerance), ratio, 1e-15, 1, "of an integrator that chooses its own step"),
+      number<S>("tolerance", AT(S, tolerance), ratio, 1e-15, 1,
+                "of an integrator that chooses its own step; with an automatic one instead of accuracy"),
       {{.name = "settle", .meaning = "come to rest under gravity before the motion", .choices = {}},
        AT(S, settle)},
   };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "app/study/run_cost.h"
@@ -42,6 +43,47 @@ double highest_frequency(const PreparedScene& p) {
   return std::sqrt(std::max(squared, 0.0)) / (2.0 * std::numbers::pi);
 }
 
+// Deeper than any weight presses, they will be thrown apart.
+std::vector<std::string> overlaps_at_start(const PreparedScene& p) {
+  constexpr double noticeable = 1e-3;
+  constexpr std::size_t most = 5;
+  const engine::ContactPoints& points = p.state.contacts.points;
+  const auto frames = engine::frames_of(p.model, p.state);
+  std::map<engine::BodyPair, std::pair<double, double>> deepest;  // overlap, its part of the width
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double overlap = engine::geometry_of(points, i, frames).overlap;
+    if (overlap * points.inverse_width(i) < noticeable) continue;
+    const auto [a, b] = std::minmax(points.corner_body[i], points.edge_body[i]);
+    auto& found = deepest[{a, b}];
+    found = std::max(found, {overlap, overlap * points.inverse_width(i)});
+  }
+  std::vector<std::string> findings;
+  for (const auto& [pair, depth] : deepest) {
+    if (findings.size() == most) break;
+    findings.push_back(fmt::format(
+        "{} and {} overlap by {:.3g} m at the start, {:.2g} % of the smaller one's width: they will be "
+        "thrown apart",
+        p.model.names[pair.a], p.model.names[pair.b], depth.first, 100.0 * depth.second));
+  }
+  if (deepest.size() > findings.size())
+    findings.push_back(fmt::format("{} more pairs overlap", deepest.size() - findings.size()));
+  return findings;
+}
+
+// Output times and the samples of a motion are multiples of one interval.
+std::vector<std::string> changed_outputs(const PreparedScene& p) {
+  const double asked = 1.0 / p.description.output.rate, given = p.plan.output_interval;
+  const double end = std::ceil(p.drive.end_time / given - 1e-9) * given;
+  std::vector<std::string> findings;
+  if (std::abs(given - asked) > 1e-9 * asked)
+    findings.push_back(
+        fmt::format("output every {:.6g} s instead of {:.6g} s, to meet the motion's samples", given, asked));
+  if (end > p.drive.end_time * (1.0 + 1e-9))
+    findings.push_back(fmt::format("{:.6g} s are simulated instead of {:.6g} s, a whole number of outputs",
+                                   end, p.drive.end_time));
+  return findings;
+}
+
 // Pose, velocity and acceleration of every body and a dozen histories.
 void refuse_too_much_output(const PreparedScene& p) {
   const double values = 9.0 * static_cast<double>(p.model.body_count) + 12.0;
@@ -65,6 +107,7 @@ class SceneRecorder {
 
   void note(const engine::Sample& sample) {
     note_bodies(sample);
+    note_bonds(sample);
     note_terrains(sample);
     energies_.note(p_.model, sample.state);
     out_.run.numerics.overlap_ratio.push_back(
@@ -91,6 +134,20 @@ class SceneRecorder {
       out_.accelerations.push_back({sample.accelerations[i], sample.accelerations[n + i]});
       out_.angular_accelerations.push_back(sample.accelerations[2 * n + i]);
       fastest_ = std::max(fastest_, engine::norm(velocity));
+    }
+  }
+
+  // A bond has two points; half broken is cracked.
+  void note_bonds(const engine::Sample& sample) {
+    const auto& points = sample.state.bonds.history;
+    for (std::size_t i = 0; i < out_.run.model.bonded.size(); ++i) {
+      DrawnBond& bond = out_.run.model.bonded[i];
+      const engine::BondHistory &first = points[2 * i], &second = points[2 * i + 1];
+      const double now = sample.state.time;
+      if (engine::has_cracked(p_.model.bond_points[2 * i].law, first) ||
+          engine::has_cracked(p_.model.bond_points[2 * i + 1].law, second))
+        bond.cracked = std::min(bond.cracked, now);
+      if (first.broken && second.broken) bond.broken = std::min(bond.broken, now);
     }
   }
 
@@ -188,6 +245,8 @@ PreparedScene check_scene(const SceneDescription& description,
   choose_drive(p);
   p.plan = engine::plan_steps(p.model, p.state, p.drive);
   p.highest_frequency = highest_frequency(p);
+  p.findings = overlaps_at_start(p);
+  for (std::string& text : changed_outputs(p)) p.findings.push_back(std::move(text));
   return p;
 }
 
@@ -205,6 +264,25 @@ PreparedScene prepare_scene(const SceneDescription& description,
   return p;
 }
 
+namespace {
+
+struct DescribedPose {
+  Vec2 position;
+  double angle;
+};
+
+DescribedPose pose_of(engine::Owner owner, const engine::Scene& scene) {
+  if (owner.terrain) return {scene.terrains[owner.index].position, scene.terrains[owner.index].angle};
+  return {scene.bodies[owner.index].position, scene.bodies[owner.index].angle};
+}
+
+DrawnBond drawn_bond(const engine::Bond& bond, std::size_t owner, const DescribedPose& pose) {
+  const auto local = [&](Vec2 place) { return engine::rotated(place - pose.position, -pose.angle); };
+  return {bond.name, owner, local(bond.start), local(bond.end)};
+}
+
+}  // namespace
+
 ModelSheet scene_sheet(const SceneDescription& description, const engine::Scene& scene) {
   ModelSheet sheet;
   sheet.free_scene = true;
@@ -218,6 +296,8 @@ ModelSheet scene_sheet(const SceneDescription& description, const engine::Scene&
   for (const engine::Terrain& terrain : scene.terrains) sheet.terrains.push_back(drawn_shape(terrain, scene));
   sheet.bonds = scene.bonds.size();
   const auto place = [&](engine::Owner o) { return o.terrain ? scene.bodies.size() + o.index : o.index; };
+  for (const engine::Bond& bond : scene.bonds)
+    sheet.bonded.push_back(drawn_bond(bond, place(bond.b), pose_of(bond.b, scene)));
   for (const engine::Joint& joint : scene.joints)
     sheet.links.push_back({place(joint.a), place(joint.b), joint.anchor_a, joint.anchor_b});
   return sheet;

@@ -23,6 +23,8 @@ struct PreparedScene {
   engine::StepPlan plan;
   double highest_frequency = 0.0;  // Hz, bound; 0 where nothing vibrates
   double estimated_seconds = 0.0;  // of one processor
+  /// What is accepted and perhaps not meant: bodies that overlap at the start, outputs at other times.
+  std::vector<std::string> findings;
 };
 
 /// Throws ScenarioError, seismic::InputError, std::invalid_argument.

@@ -54,6 +54,7 @@ class Loop {
     finish_stars();
     if (rules_.earthquake) shake_terrains();
     out_.divisor = number("n: the step is 0.01 s / n, usually 10", Least::above_zero);
+    refuse_what_follows();
     return std::move(out_);
   }
 
@@ -102,6 +103,12 @@ class Loop {
         words_.ask_again(fmt::format("expected {}, found {}", trouble.expected, trouble.found));
       }
     }
+  }
+
+  // A person has just pressed Enter; a text may hold a message that was meant to come before finish.
+  void refuse_what_follows() {
+    if (words_.asks()) return;
+    if (const auto more = words_.next("")) fail("nothing after n", "\"" + *more + "\"");
   }
 
   double number(const std::string& what, Least least = Least::any) {
@@ -302,7 +309,9 @@ SpaceInput read_space(SpaceWords& words, const SpaceRules& rules) {
 std::string choose_space_step(SceneDescription& description, double divisor,
                               const std::filesystem::path& records_directory) {
   description.solve.integrator = "velocity-verlet";  // a step is asked for
-  const double bound = check_scene(description, records_directory).plan.bound, step = space_tick / divisor;
+  const bool settles = description.solve.settle;
+  const double bound = (settles ? prepare_scene : check_scene)(description, records_directory).plan.bound,
+               step = space_tick / divisor;
   if (step <= bound) {
     description.solve.step = step;
     return fmt::format("0.01 s / {:g} = {:.4g} s, as asked for", divisor, step);

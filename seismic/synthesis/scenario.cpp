@@ -59,6 +59,56 @@ Scenario tohoku_scenario() {
   return s;
 }
 
+// Bilateral along Awaji and under Kobe, 60 km in some 15 s: three patches, the site 8 km from the middle one.
+Scenario kobe_scenario() {
+  Scenario s;
+  s.id = "kobe-synthetic";
+  s.alias = "kobe";
+  s.title = "Kobe-style synthetic (Mw 6.9)";
+  s.magnitude = 6.9;
+  s.duration = 45.0;
+  s.seed = 19950117;
+  s.region = {2800.0, 3500.0, 150.0, 0.7, 0.04, {{1.0, -1.0}, {70.0, 0.0}}, 1.9, 0.05};
+  s.patches = {{6.4, 10.0 * MPa, 12.0 * km, 4.0},
+               {6.6, 10.0 * MPa, 8.0 * km, 7.0},
+               {6.3, 10.0 * MPa, 15.0 * km, 12.0}};
+  return s;
+}
+
+// A thrust that breaks northwards for 30 s along 100 km; the site is on the footwall, 15 km from the slip in
+// the north.
+Scenario chichi_scenario() {
+  Scenario s;
+  s.id = "chichi-synthetic";
+  s.alias = "chichi";
+  s.title = "Chi-Chi-style synthetic (Mw 7.6)";
+  s.magnitude = 7.6;
+  s.duration = 80.0;
+  s.seed = 19990921;
+  s.region = {2800.0, 3500.0, 117.0, 0.77, 0.05, {{1.0, -1.0}, {50.0, 0.0}}, 1.8, 0.05};
+  s.patches = {{6.9, 6.0 * MPa, 45.0 * km, 6.0},
+               {7.0, 6.0 * MPa, 28.0 * km, 15.0},
+               {7.2, 6.0 * MPa, 15.0 * km, 25.0},
+               {7.0, 6.0 * MPa, 25.0 * km, 36.0}};
+  return s;
+}
+
+// Strike-slip, bilateral over 140 km; the site is 12 km from the eastern end, so that the near patches come
+// late and fast.
+Scenario kocaeli_scenario() {
+  Scenario s;
+  s.id = "kocaeli-synthetic";
+  s.alias = "kocaeli";
+  s.title = "Kocaeli-style synthetic (Mw 7.5)";
+  s.magnitude = 7.5;
+  s.duration = 60.0;
+  s.seed = 19990817;
+  s.region = {2800.0, 3500.0, 180.0, 0.6, 0.05, {{1.0, -1.0}, {60.0, 0.0}}, 1.8, 0.05};
+  s.patches = {
+      {7.1, 5.0 * MPa, 60.0 * km, 4.0}, {7.0, 5.0 * MPa, 35.0 * km, 13.0}, {6.8, 5.0 * MPa, 14.0 * km, 21.0}};
+  return s;
+}
+
 ThreeComponents simulate(const Scenario& scenario) {
   return {component(scenario, 1, 1.0), component(scenario, 2, 1.0),
           component(scenario, 3, scenario.vertical_ratio)};

@@ -1,7 +1,7 @@
 // The earthquakes whose motion is shipped: patches of a fault, each a stochastic point source, summed at one
 // site in the order in which their waves arrive.
 //
-// They are styled after two events, not copies of any recording: magnitude, patches, delays and attenuation
+// They are styled after five events, not copies of any recording: magnitude, patches, delays and attenuation
 // are of the published order (docs/theory/seismic.md), the station is invented.
 #pragma once
 
@@ -28,6 +28,9 @@ struct Scenario {
 
 Scenario wenchuan_scenario();
 Scenario tohoku_scenario();
+Scenario kobe_scenario();
+Scenario chichi_scenario();
+Scenario kocaeli_scenario();
 
 struct ThreeComponents {
   std::vector<double> east_west, north_south, up_down;  // m/s2

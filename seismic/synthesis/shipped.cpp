@@ -65,7 +65,7 @@ Component read_back(std::string name, std::string bytes,
   return out;
 }
 
-std::vector<Component> wenchuan_files(const Scenario& s) {
+std::vector<Component> at2_files(const Scenario& s) {
   const ThreeComponents motion = simulate(s);
   std::vector<Component> out;
   const auto add = [&](const char* component, const std::vector<double>& a) {
@@ -77,7 +77,7 @@ std::vector<Component> wenchuan_files(const Scenario& s) {
   return out;
 }
 
-std::vector<Component> tohoku_files(const Scenario& s) {
+std::vector<Component> knet_files(const Scenario& s) {
   const ThreeComponents motion = simulate(s);
   std::vector<Component> out;
   const auto add = [&](const char* suffix, const char* direction, const std::vector<double>& a) {
@@ -137,15 +137,20 @@ Json entry(const Scenario& s, const std::vector<Component>& components) {
 }  // namespace
 
 std::vector<ShippedFile> shipped_files() {
-  const Scenario wenchuan = wenchuan_scenario(), tohoku = tohoku_scenario();
-  const auto first = wenchuan_files(wenchuan), second = tohoku_files(tohoku);
   std::vector<ShippedFile> out;
-  for (const auto& component : first) out.push_back({component.name, component.bytes});
-  for (const auto& component : second) out.push_back({component.name, component.bytes});
+  Json records = Json::array();
+  const auto add = [&](const Scenario& scenario, const std::vector<Component>& components) {
+    for (const Component& component : components) out.push_back({component.name, component.bytes});
+    records.push_back(entry(scenario, components));
+  };
+  add(wenchuan_scenario(), at2_files(wenchuan_scenario()));
+  add(tohoku_scenario(), knet_files(tohoku_scenario()));
+  for (const Scenario& scenario : {kobe_scenario(), chichi_scenario(), kocaeli_scenario()})
+    add(scenario, at2_files(scenario));
   const Json catalogue = {{"note",
                            "Synthetic motions made by this project; none of them is a recording. SI units; "
                            "PGV after removal of the mean."},
-                          {"records", Json::array({entry(wenchuan, first), entry(tohoku, second)})}};
+                          {"records", records}};
   out.push_back({"catalogue.json", catalogue.dump(2) + "\n"});
   return out;
 }
