@@ -65,6 +65,7 @@ class Runner {
         options_(options),
         integrator_(make_integrator(options.integrator)),
         dynamics_(model, state, options.terrain_held_still, options.local_damping),
+        stability_(model),
         accelerations_(3 * model.body_count),
         intervals_(choose_intervals(options.terrain_held_still ? 0.0 : model.knot_interval(),
                                     options.output_interval)) {
@@ -132,7 +133,15 @@ class Runner {
 
   void refresh_bound() {
     const auto frames = frames_of(model_, state_, options_.terrain_held_still);
-    if (!adaptive_) bound_ = bound_of(integrator_, spectral_bound(model_, state_, frames));
+    if (!adaptive_) bound_ = bound_of(integrator_, stability_.assemble(model_, state_, frames));
+    travel_ = state_.contacts.longest_step(model_, frames);
+  }
+
+  // After contacts have come, gone or changed.
+  void renew_bound() {
+    const auto frames = frames_of(model_, state_, options_.terrain_held_still);
+    const std::vector<Index> disturbed = state_.contacts.take_disturbed();
+    if (!adaptive_) bound_ = bound_of(integrator_, stability_.renew(model_, state_, frames, disturbed));
     travel_ = state_.contacts.longest_step(model_, frames);
   }
 
@@ -140,8 +149,8 @@ class Runner {
   void advance_interval() {
     start_interval();
     while (left_ > 0 && bound_ > 0.0) {
-      const bool roused = dynamics_.take_roused();
-      if ((countdown_ == 0 && update_contacts()) || roused) refine();
+      const bool changed = countdown_ == 0 && update_contacts();
+      if (dynamics_.take_roused() || changed) refine();
       state_.time =
           (static_cast<double>(interval_) + from_ + static_cast<double>(taken_) * part_) * intervals_.base;
       step(step_size());
@@ -187,7 +196,7 @@ class Runner {
 
   // Divides what is left of the interval anew if the contacts no longer allow the step.
   void refine() {
-    refresh_bound();
+    renew_bound();
     countdown_ = std::max<std::size_t>(countdown_, 1);
     if (bound_ == 0.0 || step_size() <= tolerated_step()) return;
     const double before = step_size();
@@ -298,6 +307,7 @@ class Runner {
   bool adaptive_ = false;
   std::string_view name_;
   Dynamics dynamics_;
+  StabilityRows stability_;
   std::vector<double> accelerations_;
   Intervals intervals_;
   RunOutcome outcome_;

@@ -9,6 +9,8 @@
 // An integrator turns the two bounds into its largest stable step (Integrator::stable_step).
 #pragma once
 
+#include <array>
+
 #include "engine/state.h"
 
 namespace dougong::engine {
@@ -19,5 +21,45 @@ struct SpectralBound {
 };
 
 SpectralBound spectral_bound(const Model& model, const State& state, std::span<const Frame> frames);
+
+/// The row sums of every body, kept, so that contacts that come and go cost no more than their own rows.
+class StabilityRows {
+ public:
+  explicit StabilityRows(const Model& model);
+
+  /// All rows, for the poses of now.
+  SpectralBound assemble(const Model& model, const State& state, std::span<const Frame> frames);
+  /// The rows of those bodies only (terrains are passed over); the others' stay as they were.
+  SpectralBound renew(const Model& model, const State& state, std::span<const Frame> frames,
+                      std::span<const Index> bodies);
+
+  using Row = std::array<double, 3>;  // along x, y, angle
+  using Block = std::array<Row, 3>;
+
+ private:
+  // Of K and of C: a body's own block, and the sums over the other bodies' blocks in its rows.
+  struct BodyRows {
+    Block stiffness{}, damping{};
+    Row other_stiffness{}, other_damping{};
+  };
+  struct Strut;
+  class Coupling;
+
+  Row row_of(Index body, Vec2 direction, Vec2 arm) const;
+  Row turn_of(Index body) const { return {0.0, 0.0, root_inertia_[body]}; }
+  void add_strut(const Strut& strut, Coupling& on_a, Coupling& on_b) const;
+  void add_to_links(Index a, Index b, const Coupling& on_a, const Coupling& on_b);
+  void add_joint(const JointElement& joint, std::span<const Frame> frames);
+  void add_bond(const Model& model, const BondState& state, std::size_t first, std::span<const Frame> frames);
+  void add_point(const ContactPoints& points, std::size_t i, Index body, std::span<const Frame> frames,
+                 Coupling& coupling) const;
+  void renew_body(const ContactSet& contacts, Index body, std::span<const Frame> frames);
+  SpectralBound largest(const Model& model, std::span<const Frame> frames) const;
+
+  std::size_t bodies_;
+  std::vector<double> root_mass_, root_inertia_;  // 1/sqrt of them; of terrain 0
+  std::vector<BodyRows> links_;                   // what joints and bonds add; empty where there are none
+  std::vector<SpectralBound> rows_;               // the largest row sum of each body
+};
 
 }  // namespace dougong::engine

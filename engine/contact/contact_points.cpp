@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <utility>
 
 #include "engine/kernels.h"
 
@@ -80,14 +82,80 @@ void add_rounds(ContactPoints& points, std::size_t block, std::span<const Frame>
     if (points.kind[i] == FeatureKind::round) add_round(points, i, frames, commit, loads, step, totals);
 }
 
+using B = PointBlock;
+constexpr B::Reals B::*columns[] = {&B::corner_x,
+                                    &B::corner_y,
+                                    &B::normal_x,
+                                    &B::normal_y,
+                                    &B::offset_x,
+                                    &B::offset_y,
+                                    &B::radius,
+                                    &B::normal,
+                                    &B::tangential,
+                                    &B::normal_damping,
+                                    &B::tangential_damping,
+                                    &B::friction,
+                                    &B::resting_share,
+                                    &B::facing,
+                                    &B::edge_length,
+                                    &B::nominal,
+                                    &B::per_reference,
+                                    &B::inverse_width,
+                                    &B::anchor,
+                                    &B::calm_since,
+                                    &B::open,
+                                    &B::resting,
+                                    &B::overlap,
+                                    &B::position,
+                                    &B::dashpot,
+                                    &B::viscous,
+                                    &B::spent_friction,
+                                    &B::corner_is_b,
+                                    &B::angular};
+static_assert(std::size(columns) * sizeof(B::Reals) == offsetof(B, a), "a column is missing");
+
+void note_round(PointBlock& b) {
+  b.has_round = std::find(b.angular.begin(), b.angular.end(), 0.0) != b.angular.end();
+}
+
 }  // namespace
 
-void ContactPoints::resize(std::size_t n, bool with_rocking) {
-  blocks_.assign((n + PointBlock::size - 1) / PointBlock::size, {});
-  kind.assign(n, FeatureKind::corner_edge);
-  corner_body.assign(n, 0), edge_body.assign(n, 0);
-  round_.assign(n, {});
-  rocking.assign(with_rocking ? n : 0, {});
+void ContactPoints::resize(std::size_t n) {
+  blocks_.resize((n + PointBlock::size - 1) / PointBlock::size);
+  kind.resize(n, FeatureKind::corner_edge);
+  corner_body.resize(n, 0), edge_body.resize(n, 0);
+  round_.resize(n);
+  if (with_rocking_) rocking.resize(n);
+}
+
+void ContactPoints::clear(std::size_t i, BodyPair bodies) {
+  Feature far_away;
+  far_away.corner_body = bodies.a, far_away.edge_body = bodies.b;
+  far_away.edge_normal = {0.0, 1.0};
+  far_away.radius = PointBlock::far_away;
+  set(i, bodies, far_away, {}, {}, 1.0);
+  set_history(i, {}), set_past(i, {});
+  if (!rocking.empty()) rocking[i] = {};
+}
+
+void ContactPoints::take_over(const ContactPoints& others, std::size_t from, std::size_t first) {
+  const PointBlock& source = others.block(from);
+  PointBlock& target = block(first);
+  target.a[lane(first) / 2] = source.a[lane(from) / 2], target.b[lane(first) / 2] = source.b[lane(from) / 2];
+  for (const std::size_t k : {0u, 1u}) {
+    for (const auto column : columns) (target.*column)[lane(first + k)] = (source.*column)[lane(from + k)];
+    kind[first + k] = others.kind[from + k];
+    corner_body[first + k] = others.corner_body[from + k], edge_body[first + k] = others.edge_body[from + k];
+    round_[first + k] = others.round_[from + k];
+    if (!rocking.empty()) rocking[first + k] = others.rocking[from + k];
+  }
+  note_round(target);
+}
+
+void ContactPoints::wake(std::size_t block, std::span<const Frame> frames) {
+  if (!std::exchange(blocks_[block].asleep, false)) return;
+  const std::size_t first = block * PointBlock::size, end = std::min(first + PointBlock::size, size());
+  for (std::size_t i = first; i < end; ++i) start(i, frames);
 }
 
 void ContactPoints::set(std::size_t i, BodyPair bodies, const Feature& f, const BearingLength& length,
@@ -102,7 +170,7 @@ void ContactPoints::set(std::size_t i, BodyPair bodies, const Feature& f, const 
   b.a[k / 2] = bodies.a, b.b[k / 2] = bodies.b;
   b.corner_is_b[k] = flag(f.corner_body == bodies.b);
   b.angular[k] = flag(!round);
-  b.has_round = std::find(b.angular.begin(), b.angular.end(), 0.0) != b.angular.end();
+  note_round(b);
   b.corner_x[k] = f.corner.x, b.corner_y[k] = f.corner.y;
   b.normal_x[k] = f.edge_normal.x, b.normal_y[k] = f.edge_normal.y;
   b.offset_x[k] = dot(f.edge_normal, f.edge_point), b.offset_y[k] = dot(turned(f.edge_normal), f.edge_point);

@@ -31,9 +31,12 @@ struct PointHistory {
   double calm_since = PointBlock::never;
 };
 
-/// Points 2 k and 2 k + 1 are those of pair k of bodies; one of them may be empty.
+/// Points 2 k and 2 k + 1 are those of one pair of bodies; one of them may be empty, or both.
 class ContactPoints {
  public:
+  ContactPoints() = default;
+  explicit ContactPoints(bool with_rocking) : with_rocking_(with_rocking) {}
+
   std::vector<FeatureKind> kind;
   std::vector<Index> corner_body, edge_body;
   std::vector<RockingDashpot> rocking;  // one a point, or none at all
@@ -41,11 +44,17 @@ class ContactPoints {
   std::size_t size() const { return kind.size(); }
   /// Of the loads of contact_forces().
   std::size_t load_count() const { return blocks_.size() * PointBlock::pairs; }
-  /// Whole pairs; all points are empty.
-  void resize(std::size_t n, bool with_rocking);
+  /// Whole pairs; new points are empty.
+  void resize(std::size_t n);
+  /// Empties point i of a pair.
+  void clear(std::size_t i, BodyPair bodies);
+  /// Points `first` and the next become as points `from` and the next of others.
+  void take_over(const ContactPoints& others, std::size_t from, std::size_t first);
   /// `bodies` are the pair's; the first of them bears the loads' force.
   void set(std::size_t i, BodyPair bodies, const Feature& feature, const BearingLength& length,
            const PointStiffness& law, double width);
+  /// Points of a block that slept start anew.
+  void wake(std::size_t block, std::span<const Frame> frames);
   /// Forgets: point i stands where the frames say, and has done nothing yet.
   void start(std::size_t i, std::span<const Frame> frames);
 
@@ -77,6 +86,7 @@ class ContactPoints {
   PointBlock& block(std::size_t i) { return blocks_[i / PointBlock::size]; }
   const PointBlock& block(std::size_t i) const { return blocks_[i / PointBlock::size]; }
 
+  bool with_rocking_ = false;
   std::vector<PointBlock> blocks_;
   std::vector<Round> round_;
 };

@@ -108,16 +108,6 @@ bool same_features(const Manifold& a, const Manifold& b) {
   return true;
 }
 
-// The second slot of a pair that touches in one point: so far apart that it never does.
-Feature empty_slot(Index a, Index b) {
-  Feature f;
-  f.corner_body = a;
-  f.edge_body = b;
-  f.edge_normal = {0.0, 1.0};
-  f.radius = PointBlock::far_away;
-  return f;
-}
-
 // The lighter of two bodies rocks on the other, which is taken to stand still.
 RockingImpact rocking_impact(const Model& model, const Manifold& m, BodyPair bodies,
                              const PointStiffness& law) {
@@ -171,6 +161,7 @@ PointHistory history_with_slip(const ContactPoints& points, std::size_t i, std::
 
 ContactSet::ContactSet(const Model& model) {
   index_bodies(model.size());
+  points = ContactPoints(model.has_rocking_restitution());
   if (!model.has_contacts()) return;
   std::vector<double> body_widths;
   double smallest = std::numeric_limits<double>::infinity();
@@ -206,12 +197,16 @@ bool ContactSet::moved_beyond_skin(const Model& model, std::span<const Frame> fr
 void ContactSet::rebuild_pairs(const Model& model, std::span<const Frame> frames) {
   std::vector<ContactPair> pairs;
   auto old = pairs_.begin();
+  const auto leave_behind = [&](auto&& is_behind) {
+    for (; old != pairs_.end() && is_behind(*old); ++old)
+      if (old->active) leave(*old), disturb(old->bodies);
+  };
   for (const BodyPair colliders : find_pairs(model, frames, skin_)) {
     const Collider &a = model.colliders[colliders.a], &b = model.colliders[colliders.b];
     if (!model.touchable[a.owner] || !model.touchable[b.owner]) continue;
-    while (old != pairs_.end() && old->colliders < colliders) ++old;
+    leave_behind([&](const ContactPair& pair) { return pair.colliders < colliders; });
     if (old != pairs_.end() && old->colliders == colliders) {
-      pairs.push_back(*old);
+      pairs.push_back(*old++);
       continue;
     }
     if (std::binary_search(held_.begin(), held_.end(), BodyPair{a.owner, b.owner})) continue;
@@ -222,13 +217,38 @@ void ContactSet::rebuild_pairs(const Model& model, std::span<const Frame> frames
     pair.seen_angle = std::numeric_limits<double>::infinity();  // never seen: has moved
     pairs.push_back(pair);
   }
+  leave_behind([](const ContactPair&) { return true; });
   pairs_ = std::move(pairs);
+  note_skin_poses(model, frames);
+}
+
+void ContactSet::note_skin_poses(const Model& model, std::span<const Frame> frames) {
   const Vec2 common = common_position(model, frames);
   skin_position_.resize(model.size()), skin_angle_.resize(model.size());
   for (std::size_t i = 0; i < model.size(); ++i) {
     skin_position_[i] = frames[i].position() - common;
     skin_angle_[i] = frames[i].angle;
   }
+}
+
+// Gives a pair two slots: two that were left, or new ones behind the others.
+void ContactSet::enter(const Model& model, std::span<const Frame> frames, ContactPair& pair) {
+  if (free_slots_.empty()) {
+    pair.first_point = static_cast<Index>(points.size());
+    points.resize(points.size() + 2);
+  } else {
+    pair.first_point = free_slots_.back();
+    free_slots_.pop_back();
+  }
+  pair.active = true;
+  ++entered_;
+  write_points(model, frames, pair, {}, {});
+}
+
+void ContactSet::leave(ContactPair& pair) {
+  pair.active = false;
+  points.clear(pair.first_point, {}), points.clear(pair.first_point + 1, {});
+  free_slots_.push_back(pair.first_point);
 }
 
 std::array<ContactSet::Memory, 2> ContactSet::memory_of(const ContactPoints& points, std::size_t first) {
@@ -262,9 +282,7 @@ void ContactSet::write_points(const Model& model, std::span<const Frame> frames,
   for (Index k = 0; k < 2; ++k) {
     const std::size_t i = pair.first_point + k;
     if (k >= pair.manifold.count) {
-      points.set(i, pair.bodies, empty_slot(a, b), {}, {}, width);
-      points.set_history(i, {}), points.set_past(i, {});
-      if (!points.rocking.empty()) points.rocking[i] = {};
+      points.clear(i, pair.bodies);
       continue;
     }
     const Feature& feature = pair.manifold.features[k];
@@ -347,19 +365,22 @@ void ContactSet::write_rocking(const Model& model, std::span<const Frame> frames
   }
 }
 
-bool ContactSet::refresh(const Model& model, std::span<const Frame> frames, ContactPair& pair,
-                         bool& activity_changed) {
+// Returns whether any of its points was added, removed or replaced.
+bool ContactSet::refresh(const Model& model, std::span<const Frame> frames, ContactPair& pair) {
   const Manifold old = pair.manifold;
   pair.manifold = find_manifold(model, frames, pair.colliders.a, pair.colliders.b, pair.margin, old);
   pair.gap = gap_of(pair.manifold, frames);
-  const bool active = pair.manifold.count > 0;
-  if (active != pair.active) {
-    activity_changed = true;
-    pair.hardening = 1.0;
-    return true;
-  }
-  if (!active) return false;
+  const bool touches = pair.manifold.count > 0;
+  if (touches && pair.active) return renew(model, frames, pair, old);
+  if (touches == pair.active) return false;
+  pair.hardening = 1.0;
+  touches ? enter(model, frames, pair) : leave(pair);
+  return true;
+}
 
+// The points of a pair that stays, after another manifold was found.
+bool ContactSet::renew(const Model& model, std::span<const Frame> frames, ContactPair& pair,
+                       const Manifold& old) {
   // End k of the contact may have passed from one corner to another at the same place.
   const std::array<Memory, 2> kept = memory_of(points, pair.first_point);
   std::array<double, 2> slip{};
@@ -383,29 +404,26 @@ bool ContactSet::refresh(const Model& model, std::span<const Frame> frames, Cont
   return true;
 }
 
-// Gives every active pair two slots, keeping the history of those that had them; pairs far from touching
-// come last, so that they share blocks that can sleep.
-void ContactSet::lay_out_points(const Model& model, std::span<const Frame> frames) {
-  const ContactPoints old = std::move(points);
-  points = {};
-  std::size_t count = 0;
-  for (const ContactPair& pair : pairs_) count += pair.manifold.count > 0 ? 2 : 0;
-  points.resize(count, model.has_rocking_restitution());
-  std::size_t near = 0, far = count;
+// Closes the gaps between the slots and puts pairs far from touching last, so that they share blocks that can
+// sleep: when a quarter of the slots are free, or were given out since the last time.
+void ContactSet::compact_slots(std::span<const Frame> frames) {
+  constexpr std::size_t part = 4;
+  const std::size_t slots = points.size() / 2;
+  if (part * free_slots_.size() <= slots && part * entered_ <= slots) return;
+  for (std::size_t block = 0; block < points.blocks().size(); ++block) points.wake(block, frames);
+  const ContactPoints old = std::exchange(points, ContactPoints(!points.rocking.empty()));
+  std::size_t near = 0, far = old.size() - 2 * free_slots_.size();
+  points.resize(far);
   for (ContactPair& pair : pairs_) {
-    const bool was_active = pair.active;
-    pair.active = pair.manifold.count > 0;
     if (!pair.active) continue;
-    const std::size_t old_first = pair.first_point;
-    const bool apart = pair.gap > sleeping_gap_;
-    pair.first_point = static_cast<Index>(apart ? far -= 2 : near);
+    const bool apart = pair.gap - pair.moved > sleeping_gap_;
+    const std::size_t first = apart ? far -= 2 : near;
     near += apart ? 0 : 2;
-    if (was_active)
-      write_points(model, frames, pair, pair.manifold, memory_of(old, old_first));
-    else
-      write_points(model, frames, pair, {}, {});
+    points.take_over(old, pair.first_point, first);
+    pair.first_point = static_cast<Index>(first);
   }
-  index_bodies(model.size());
+  free_slots_.clear();
+  entered_ = 0;
 }
 
 void ContactSet::index_bodies(std::size_t bodies) {
@@ -431,39 +449,49 @@ void ContactSet::put_blocks_to_sleep(std::span<const Frame> frames) {
       sleeps_[pair.first_point / PointBlock::size] = false;
   }
   for (std::size_t k = 0; k < blocks.size(); ++k) {
-    const bool wakes = blocks[k].asleep && !sleeps_[k];
+    if (!sleeps_[k]) points.wake(k, frames);
     blocks[k].asleep = sleeps_[k] != 0;
-    for (std::size_t i = k * PointBlock::size; wakes && i < (k + 1) * PointBlock::size && i < points.size();
-         ++i)
-      points.start(i, frames);
+  }
+}
+
+// Finds the manifolds of pairs that have moved since they were seen.
+void ContactSet::refresh_moved(const Model& model, std::span<const Frame> frames) {
+  smallest_reach_ = smallest_margin_;
+  for (ContactPair& pair : pairs_) {
+    const SeenPose now = seen_pose(model, frames, pair.bodies);
+    pair.moved = moved_since_seen(model, pair, now);
+    if (pair.moved > refresh_ratio * reach_of(pair)) {
+      pair.moved = 0.0;
+      pair.seen_position = now.position, pair.seen_angle = now.angle;
+      if (refresh(model, frames, pair)) disturb(pair.bodies);
+    }
+    smallest_reach_ = std::min(smallest_reach_, reach_of(pair));
   }
 }
 
 bool ContactSet::update(const Model& model, std::span<const Frame> frames) {
   if (!model.has_contacts()) return false;
-  bool activity_changed = false, changed = false;
-  if (moved_beyond_skin(model, frames)) {
-    const std::size_t before = points.size();
-    rebuild_pairs(model, frames);
-    std::size_t kept = 0;
-    for (const ContactPair& pair : pairs_) kept += pair.active ? 2 : 0;
-    activity_changed = kept != before;
+  const std::size_t before = disturbed_.size();
+  if (moved_beyond_skin(model, frames)) rebuild_pairs(model, frames);
+  refresh_moved(model, frames);
+  const bool changed = disturbed_.size() > before;
+  if (changed) {
+    compact_slots(frames);
+    index_bodies(model.size());
   }
-  for (ContactPair& pair : pairs_) {
-    const SeenPose now = seen_pose(model, frames, pair.bodies);
-    pair.moved = moved_since_seen(model, pair, now);
-    if (!(pair.moved > refresh_ratio * reach_of(pair))) continue;
-    pair.moved = 0.0;
-    pair.seen_position = now.position, pair.seen_angle = now.angle;
-    changed |= refresh(model, frames, pair, activity_changed);
-  }
-  smallest_reach_ = smallest_margin_;
-  for (const ContactPair& pair : pairs_) smallest_reach_ = std::min(smallest_reach_, reach_of(pair));
-  if (activity_changed) lay_out_points(model, frames);
   for (const Heir& heir : heirs_) hand_over(frames, heir);
   heirs_.clear();
   put_blocks_to_sleep(frames);
-  return changed || activity_changed;
+  return changed;
+}
+
+std::vector<Index> ContactSet::take_disturbed() {
+  for (PointBlock& block : points.blocks()) {
+    if (!std::exchange(block.roused, false)) continue;
+    disturbed_.insert(disturbed_.end(), block.a.begin(), block.a.end());
+    disturbed_.insert(disturbed_.end(), block.b.begin(), block.b.end());
+  }
+  return std::exchange(disturbed_, {});
 }
 
 double ContactSet::longest_step(const Model& model, std::span<const Frame> frames) const {

@@ -45,6 +45,13 @@ class ContactSet {
   /// Brings pairs and points up to date with the frames. Returns true if any point was added, removed
   /// or replaced (its stability bound may have changed).
   bool update(const Model& model, std::span<const Frame> frames);
+  /// Bodies and terrains whose points have come, gone, changed or been roused since the last call, one
+  /// several times perhaps.
+  std::vector<Index> take_disturbed();
+  /// Of every pair that touches a body: its first point, plus one if the body is its second.
+  std::span<const std::uint32_t> touches_of(Index body) const {
+    return std::span(touches_).subspan(first_[body], first_[body + 1] - first_[body]);
+  }
   /// Whether the points are rigid: without stiffness and dashpots, for an integrator that finds impulses. A
   /// change starts every point afresh where it is.
   void make_rigid(const Model& model, std::span<const Frame> frames, bool rigid);
@@ -72,8 +79,14 @@ class ContactSet {
   static std::array<Memory, 2> memory_of(const ContactPoints& points, std::size_t first);
 
   void rebuild_pairs(const Model& model, std::span<const Frame> frames);
+  void note_skin_poses(const Model& model, std::span<const Frame> frames);
   bool moved_beyond_skin(const Model& model, std::span<const Frame> frames) const;
-  bool refresh(const Model& model, std::span<const Frame> frames, ContactPair& pair, bool& activity_changed);
+  void refresh_moved(const Model& model, std::span<const Frame> frames);
+  bool refresh(const Model& model, std::span<const Frame> frames, ContactPair& pair);
+  bool renew(const Model& model, std::span<const Frame> frames, ContactPair& pair, const Manifold& old);
+  void enter(const Model& model, std::span<const Frame> frames, ContactPair& pair);
+  void leave(ContactPair& pair);
+  void disturb(BodyPair bodies) { disturbed_.push_back(bodies.a), disturbed_.push_back(bodies.b); }
   PointStiffness law_of(const Model& model, std::span<const Frame> frames, const ContactPair& pair,
                         const Feature& feature, double length) const;
   void write_points(const Model& model, std::span<const Frame> frames, ContactPair& pair, const Manifold& old,
@@ -86,7 +99,7 @@ class ContactSet {
   };
   void hand_over(std::span<const Frame> frames, const Heir& heir);
   void write_rocking(const Model& model, std::span<const Frame> frames, ContactPair& pair);
-  void lay_out_points(const Model& model, std::span<const Frame> frames);
+  void compact_slots(std::span<const Frame> frames);
   void index_bodies(std::size_t bodies);
   void put_blocks_to_sleep(std::span<const Frame> frames);
 
@@ -96,6 +109,9 @@ class ContactSet {
   double sleeping_gap_ = 0.0;     // m, of pairs that cannot close before the next look
   bool rigid_ = false;
   std::vector<ContactPair> pairs_;
+  std::vector<Index> free_slots_;  // first points
+  std::size_t entered_ = 0;        // pairs, since the slots were compacted
+  std::vector<Index> disturbed_;
   std::vector<BodyPair> held_;
   std::vector<Heir> heirs_;
   double inherited_ = 0.0;  // J

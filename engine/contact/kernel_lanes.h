@@ -153,7 +153,9 @@ DOUGONG_INLINE void commit_points(PointBlock& b, int from, double block, const P
   totals.deepest_block = where_less(totals.deepest_ratio, ratio, all_lanes<R>(block), totals.deepest_block);
   totals.deepest_ratio = greater(totals.deepest_ratio, ratio);
   const R alone = where(angular, open, one);  // round points are the only ones of their pairs
-  totals.roused = greater(totals.roused, follow_rest(b, from, angular, alone, resting, now, time));
+  const R roused = follow_rest(b, from, angular, alone, resting, now, time);
+  b.roused |= any_positive(roused);
+  totals.roused = greater(totals.roused, roused);
 }
 
 template <class R, bool commit>

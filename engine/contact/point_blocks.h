@@ -40,6 +40,7 @@ struct alignas(64) PointBlock {
   Flags angular{};         // a corner against an edge; the others are round
   Bodies a{}, b{};         // the pairs'
   bool has_round = false;  // not all are angular
+  bool roused = false;     // a face of it has been, since ContactSet::take_disturbed
   bool asleep = false;     // all its points are open and stay so until the next look
 };
 
