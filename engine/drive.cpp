@@ -26,6 +26,7 @@ void check_options(const DriveOptions& options) {
     throw std::invalid_argument("step fraction must lie between 0 and 1");
   if (!(options.tolerance >= 1e-15 && options.tolerance <= 0.1))
     throw std::invalid_argument("tolerance must lie between 1e-15 and 0.1");
+  if (options.threads == 0) throw std::invalid_argument("threads must be at least 1");
   if (options.step && !(*options.step > 0.0)) throw std::invalid_argument("step must be positive");
 }
 
@@ -64,6 +65,7 @@ class Runner {
         state_(state),
         options_(options),
         integrator_(make_integrator(options.integrator)),
+        crew_(options.threads),
         dynamics_(model, state, options.terrain_held_still, options.local_damping),
         stability_(model),
         accelerations_(3 * model.body_count),
@@ -77,6 +79,7 @@ class Runner {
           if constexpr (I::traits.adaptive) i.set_tolerance(options.tolerance);
         },
         integrator_);
+    dynamics_.work_with(crew_);
     state_.contacts.make_rigid(model, frames_of(model, state, options.terrain_held_still), rigid_);
     if (rigid_ && model.has_rocking_restitution())
       throw std::invalid_argument(std::string(name_) +
@@ -306,6 +309,7 @@ class Runner {
   AnyIntegrator integrator_;
   bool adaptive_ = false;
   std::string_view name_;
+  Crew crew_;
   Dynamics dynamics_;
   StabilityRows stability_;
   std::vector<double> accelerations_;

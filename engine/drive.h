@@ -32,6 +32,7 @@ struct DriveOptions {
                                        // integrator, the longest between two looks for contacts
   double largest_overlap_ratio = 0.2;  // over the smaller width: deeper has passed through, not touched
   double largest_energy_error = 0.5;   // of the energy turned over: more has been made out of nothing
+  std::size_t threads = 1;             // that share every step; the results are the same
   bool terrain_held_still = false;
   double local_damping = 0.0;  // of Dynamics; only for finding an equilibrium
 };

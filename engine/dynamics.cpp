@@ -15,6 +15,10 @@ Dynamics::Dynamics(const Model& model, State& state, bool terrain_held_still, do
       torques_(model.size()),
       field_forces_(model.fields.empty() ? 0 : model.body_count) {
   measure_scene();
+  for (std::size_t i = 0; i < model.body_count; ++i) {
+    inverse_mass_.push_back(1.0 / model.mass[i]);
+    inverse_inertia_.push_back(1.0 / model.inertia[i]);
+  }
 }
 
 void Dynamics::measure_scene() {
@@ -31,16 +35,11 @@ void Dynamics::measure_scene() {
 Powers Dynamics::accelerate(double t, std::span<const double> q, std::span<const double> v,
                             std::span<double> a, bool begins_step) {
   ++evaluations_;
-  place_bodies(model_, q, v, frames_);
+  place_bodies(model_, q, v, frames_, *crew_);
   place_terrains(model_, t, terrain_held_still_, frames_);
   const ContactTotals totals = add_contacts(t, begins_step);
   const LinkTotals links = add_links(begins_step);
-  const std::size_t n = model_.body_count;
-  for (std::size_t i = 0; i < n; ++i) {
-    a[i] = forces_[i].x / model_.mass[i] + model_.gravity.x;
-    a[n + i] = forces_[i].y / model_.mass[i] + model_.gravity.y;
-    a[2 * n + i] = torques_[i] / model_.inertia[i];
-  }
+  divide_by_masses(a);
   const double drag_power = field_forces_.empty() ? 0.0 : add_fields(a);
   if (local_damping_ > 0.0) damp_locally(v, a);
   if (begins_step) {
@@ -53,6 +52,18 @@ Powers Dynamics::accelerate(double t, std::span<const double> q, std::span<const
            links.bond_power}};
 }
 
+void Dynamics::divide_by_masses(std::span<double> a) const {
+  constexpr std::size_t share = 1024;
+  const std::size_t n = model_.body_count;
+  crew_->share_range(n, share, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      a[i] = forces_[i].x * inverse_mass_[i] + model_.gravity.x;
+      a[n + i] = forces_[i].y * inverse_mass_[i] + model_.gravity.y;
+      a[2 * n + i] = torques_[i] * inverse_inertia_[i];
+    }
+  });
+}
+
 // The first to write the sums of every body. Rigid contacts leave them at zero.
 ContactTotals Dynamics::add_contacts(double t, bool commit) {
   if (impulses_) {
@@ -62,11 +73,11 @@ ContactTotals Dynamics::add_contacts(double t, bool commit) {
   }
   loads_.resize(state_.contacts.points.load_count());
   const bool weigh = commit && one_evaluation_ && t > last_begin_;
-  const ContactTotals totals =
-      contact_forces(state_.contacts.points, frames_, commit, loads_, t, weigh ? t - last_begin_ : 0.0);
+  const ContactTotals totals = contact_forces(state_.contacts.points, frames_, commit, loads_, t,
+                                              weigh ? t - last_begin_ : 0.0, *crew_);
   roused_ |= totals.roused;
   if (commit) last_begin_ = t;
-  state_.contacts.gather(loads_, forces_, torques_);
+  state_.contacts.gather(loads_, forces_, torques_, *crew_);
   return totals;
 }
 

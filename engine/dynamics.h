@@ -21,6 +21,8 @@ class Dynamics {
   /// Computational Methods in Engineering Rock Mechanics, ch. 4). 0 for any true motion.
   Dynamics(const Model& model, State& state, bool terrain_held_still = false, double local_damping = 0.0);
 
+  /// Threads to evaluate with; they must outlive this.
+  void work_with(Crew& crew) { crew_ = &crew; }
   /// Of a method that evaluates once a step, dashpots that close within one are weighed (contact_forces).
   void evaluated_once_a_step(bool once) { one_evaluation_ = once; }
   /// From now on contacts are rigid: they add nothing to accelerate(), and add_impulses() finds what they do.
@@ -57,6 +59,7 @@ class Dynamics {
 
  private:
   void measure_scene();
+  void divide_by_masses(std::span<double> a) const;
   ContactTotals add_contacts(double t, bool commit);
   void find_terrain_velocities(double middle, double h);
   void add_mean_contact_forces(std::span<double> a);
@@ -73,6 +76,7 @@ class Dynamics {
 
   const Model& model_;
   State& state_;
+  Crew* crew_ = &Crew::alone();
   bool terrain_held_still_;
   double local_damping_;
   bool one_evaluation_ = false, roused_ = false;
@@ -81,7 +85,8 @@ class Dynamics {
   std::vector<PairLoad> loads_;
   std::vector<Vec2> forces_;
   std::vector<double> torques_;
-  std::vector<Vec2> field_forces_;  // N; empty without fields
+  std::vector<double> inverse_mass_, inverse_inertia_;  // 1/kg, 1/(kg m2)
+  std::vector<Vec2> field_forces_;                      // N; empty without fields
   Tree field_tree_;
   DragWork drag_work_;
   struct TerrainPast {

@@ -11,8 +11,11 @@ void Frame::turn_to(double to) {
 }
 
 void place_bodies(const Model& model, std::span<const double> q, std::span<const double> v,
-                  std::span<Frame> frames) {
-  best_kernels().place_bodies(q.data(), v.data(), model.body_count, frames.data());
+                  std::span<Frame> frames, Crew& crew) {
+  constexpr std::size_t share = 512;
+  crew.share_range(model.body_count, share, [&](std::size_t first, std::size_t last) {
+    best_kernels().place_bodies(q.data(), v.data(), model.body_count, first, last, frames.data());
+  });
 }
 
 void place_terrains(const Model& model, double t, bool held_still, std::span<Frame> frames) {

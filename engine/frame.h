@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "engine/crew.h"
 #include "engine/model.h"
 
 namespace dougong::engine {
@@ -26,7 +27,7 @@ struct alignas(64) Frame {
 
 /// Frames of bodies from q = [x | y | angle] and v = [vx | vy | spin], each body_count long.
 void place_bodies(const Model& model, std::span<const double> q, std::span<const double> v,
-                  std::span<Frame> frames);
+                  std::span<Frame> frames, Crew& crew = Crew::alone());
 /// Frames of terrains from their motions at time t. A terrain held still stands where it is at t = 0.
 void place_terrains(const Model& model, double t, bool held_still, std::span<Frame> frames);
 

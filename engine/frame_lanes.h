@@ -27,11 +27,11 @@ namespace {
   to->x = x, to->y = y, to->c = c, to->s = s, to->vx = vx, to->vy = vy, to->spin = spin, to->angle = angle;
 }
 
-// Bodies from `i` on, R at once, of n; returns the first that is left.
+// Bodies from `i` to before `last`, R at once, of n; returns the first that is left.
 template <class R>
 [[gnu::always_inline]] inline std::size_t place_all(const double* q, const double* v, std::size_t n,
-                                                    std::size_t i, Frame* frames) {
-  for (; i + lanes_of<R> <= n; i += lanes_of<R>) {
+                                                    std::size_t i, std::size_t last, Frame* frames) {
+  for (; i + lanes_of<R> <= last; i += lanes_of<R>) {
     const R angle = load_row<R>(q + 2 * n + i);
     const SineCosine<R> turn = sine_cosine(angle);
     store_frames(frames + i, load_row<R>(q + i), load_row<R>(q + n + i), turn.cosine, turn.sine,
@@ -42,8 +42,8 @@ template <class R>
 
 template <class R>
 [[gnu::always_inline]] inline void place_bodies_by(const double* q, const double* v, std::size_t n,
-                                                   Frame* frames) {
-  place_all<double>(q, v, n, place_all<R>(q, v, n, 0, frames), frames);
+                                                   std::size_t first, std::size_t last, Frame* frames) {
+  place_all<double>(q, v, n, place_all<R>(q, v, n, first, last, frames), last, frames);
 }
 
 }  // namespace

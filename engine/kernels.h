@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <span>
 
+#include "engine/contact/pair_watch.h"
 #include "engine/contact/point_blocks.h"
 #include "engine/frame.h"
 
@@ -14,19 +15,22 @@ namespace dougong::engine {
 /// are left as they are.
 struct CornerEdgeCall {
   PointBlock* blocks;
-  std::size_t count;   // of blocks
-  std::size_t points;  // in them; slots behind are empty
+  std::size_t first, last;  // of the blocks, those from `first` to before `last`
+  std::size_t points;       // in all blocks; slots behind are empty
   const Frame* frames;
   bool commit;
-  PairLoad* loads;
+  PairLoad* loads;    // of all blocks
   double time, step;  // s
 };
 
 struct Kernels {
   const char* name;
   void (*corner_edge_forces)(const CornerEdgeCall& call, ContactTotals& totals);
-  /// As place_bodies(); n bodies.
-  void (*place_bodies)(const double* q, const double* v, std::size_t n, Frame* frames);
+  /// As place_bodies(): of n bodies those from `first` to before `last`.
+  void (*place_bodies)(const double* q, const double* v, std::size_t n, std::size_t first, std::size_t last,
+                       Frame* frames);
+  /// Finds PairWatch::moved of all their pairs.
+  void (*measure_motions)(PairWatch* watches, std::size_t count, const Frame* frames);
 };
 
 /// All that this machine can run, the plainest first.

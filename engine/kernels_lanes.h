@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/contact/kernel_lanes.h"
+#include "engine/contact/watch_lanes.h"
 #include "engine/frame_lanes.h"
 
 namespace dougong::engine {
@@ -10,8 +11,10 @@ namespace {
 template <class R>
 Kernels kernels_with(const char* name) {
   return {name, [](const CornerEdgeCall& call, ContactTotals& totals) { evaluate_all<R>(call, totals); },
-          [](const double* q, const double* v, std::size_t n, Frame* frames) {
-            place_bodies_by<R>(q, v, n, frames);
+          [](const double* q, const double* v, std::size_t n, std::size_t first, std::size_t last,
+             Frame* frames) { place_bodies_by<R>(q, v, n, first, last, frames); },
+          [](PairWatch* watches, std::size_t count, const Frame* frames) {
+            measure_motions<R>(watches, count, frames);
           }};
 }
 

@@ -50,6 +50,47 @@ DOUGONG_INLINE V alternate(V even, V odd) {
   return shuffled<[](int k) { return k % 2 == 0 ? k : k + lanes_of<V>; }>(even, odd);
 }
 
+// Flags, 0 or 1, a byte each.
+template <class R>
+struct FlagsOf {
+  using Bytes [[gnu::vector_size(lanes_of<R>)]] = unsigned char;
+  using Integers [[gnu::vector_size(4 * lanes_of<R>)]] = int;
+};
+template <class R>
+DOUGONG_INLINE R load_flags(const unsigned char* from) {
+  typename FlagsOf<R>::Bytes bytes;
+  __builtin_memcpy(&bytes, from, sizeof bytes);
+  return __builtin_convertvector(__builtin_convertvector(bytes, typename FlagsOf<R>::Integers), R);
+}
+template <class R>
+DOUGONG_INLINE void store_flags(unsigned char* to, R flags) {
+  const auto bytes = __builtin_convertvector(__builtin_convertvector(flags, typename FlagsOf<R>::Integers),
+                                             typename FlagsOf<R>::Bytes);
+  __builtin_memcpy(to, &bytes, sizeof bytes);
+}
+
+// A number a pair, for both its points; and what its first points hold.
+DOUGONG_INLINE Real2 doubled(const double* from, Real2) {
+  return all_lanes<Real2>(*from);
+}
+DOUGONG_INLINE Real4 doubled(const double* from, Real4) {
+  const Real2 v = load_row<Real2>(from);
+  return __builtin_shufflevector(v, v, 0, 0, 1, 1);
+}
+DOUGONG_INLINE Real8 doubled(const double* from, Real8) {
+  const Real4 v = load_row<Real4>(from);
+  return __builtin_shufflevector(v, v, 0, 0, 1, 1, 2, 2, 3, 3);
+}
+DOUGONG_INLINE void store_evens(double* to, Real2 v) {
+  *to = v[0];
+}
+DOUGONG_INLINE void store_evens(double* to, Real4 v) {
+  store_row(to, Real2(__builtin_shufflevector(v, v, 0, 2)));
+}
+DOUGONG_INLINE void store_evens(double* to, Real8 v) {
+  store_row(to, Real4(__builtin_shufflevector(v, v, 0, 2, 4, 6)));
+}
+
 DOUGONG_INLINE void transpose(Real4& a, Real4& b, Real4& c, Real4& d) {
   const Real4 ab0 = __builtin_shufflevector(a, b, 0, 4, 2, 6),
               ab1 = __builtin_shufflevector(a, b, 1, 5, 3, 7);

@@ -147,13 +147,19 @@ std::vector<BodyPair> find_pairs(const Model& model, std::span<const Frame> fram
 
   if (!small.empty()) {
     const Grid grid = fill_grid(sieve.boxes(), small, cell);
-    for (const Index i : small) test_neighbours(sieve, grid, i, pairs);
+    for (const Index i : small) {
+      const auto first = static_cast<std::ptrdiff_t>(pairs.size());
+      test_neighbours(sieve, grid, i, pairs);
+      std::sort(pairs.begin() + first, pairs.end());
+    }
   }
+  const auto of_large = static_cast<std::ptrdiff_t>(pairs.size());
   for (std::size_t k = 0; k < large.size(); ++k) {
     for (const Index i : small) sieve.test(large[k], i, pairs);
     for (std::size_t l = k + 1; l < large.size(); ++l) sieve.test(large[k], large[l], pairs);
   }
-  std::sort(pairs.begin(), pairs.end());
+  std::sort(pairs.begin() + of_large, pairs.end());
+  std::inplace_merge(pairs.begin(), pairs.begin() + of_large, pairs.end());
   return pairs;
 }
 

@@ -77,6 +77,7 @@ void add_round(ContactPoints& points, std::size_t i, std::span<const Frame> fram
 
 void add_rounds(ContactPoints& points, std::size_t block, std::span<const Frame> frames, bool commit,
                 std::span<PairLoad> loads, double step, ContactTotals& totals) {
+  if (!points.blocks()[block].has_round || points.blocks()[block].asleep) return;
   const std::size_t first = block * PointBlock::size, end = std::min(first + PointBlock::size, points.size());
   for (std::size_t i = first; i < end; ++i)
     if (points.kind[i] == FeatureKind::round) add_round(points, i, frames, commit, loads, step, totals);
@@ -94,28 +95,32 @@ constexpr B::Reals B::*columns[] = {&B::corner_x,
                                     &B::tangential,
                                     &B::normal_damping,
                                     &B::tangential_damping,
-                                    &B::friction,
-                                    &B::resting_share,
                                     &B::facing,
                                     &B::edge_length,
-                                    &B::nominal,
                                     &B::per_reference,
-                                    &B::inverse_width,
                                     &B::anchor,
-                                    &B::calm_since,
-                                    &B::open,
-                                    &B::resting,
                                     &B::overlap,
                                     &B::position,
                                     &B::dashpot,
                                     &B::viscous,
-                                    &B::spent_friction,
-                                    &B::corner_is_b,
-                                    &B::angular};
-static_assert(std::size(columns) * sizeof(B::Reals) == offsetof(B, a), "a column is missing");
+                                    &B::spent_friction};
+constexpr B::PairReals B::*pair_columns[] = {&B::friction, &B::resting_share, &B::nominal, &B::inverse_width,
+                                             &B::calm_since};
+constexpr B::Flags B::*flag_columns[] = {&B::open, &B::resting, &B::corner_is_b, &B::angular};
+static_assert(std::size(columns) * sizeof(B::Reals) + std::size(pair_columns) * sizeof(B::PairReals) +
+                      std::size(flag_columns) * sizeof(B::Flags) ==
+                  offsetof(B, a),
+              "a column is missing");
+
+// Columns `from` and the next of one block become those `to` and the next of another.
+template <class Columns>
+void copy_points(const Columns& all, const B& source, std::size_t from, B& target, std::size_t to) {
+  for (const auto column : all)
+    for (const std::size_t k : {0u, 1u}) (target.*column)[to + k] = (source.*column)[from + k];
+}
 
 void note_round(PointBlock& b) {
-  b.has_round = std::find(b.angular.begin(), b.angular.end(), 0.0) != b.angular.end();
+  b.has_round = std::find(b.angular.begin(), b.angular.end(), 0) != b.angular.end();
 }
 
 }  // namespace
@@ -133,7 +138,9 @@ void ContactPoints::clear(std::size_t i, BodyPair bodies) {
   far_away.corner_body = bodies.a, far_away.edge_body = bodies.b;
   far_away.edge_normal = {0.0, 1.0};
   far_away.radius = PointBlock::far_away;
-  set(i, bodies, far_away, {}, {}, 1.0);
+  const PointStiffness law = stiffness(i);
+  const double nominal = bearing(i).nominal, width = 1.0 / inverse_width(i);
+  set(i, bodies, far_away, {.nominal = nominal}, {.friction = law.friction, .resting = law.resting}, width);
   set_history(i, {}), set_past(i, {});
   if (!rocking.empty()) rocking[i] = {};
 }
@@ -141,9 +148,12 @@ void ContactPoints::clear(std::size_t i, BodyPair bodies) {
 void ContactPoints::take_over(const ContactPoints& others, std::size_t from, std::size_t first) {
   const PointBlock& source = others.block(from);
   PointBlock& target = block(first);
-  target.a[lane(first) / 2] = source.a[lane(from) / 2], target.b[lane(first) / 2] = source.b[lane(from) / 2];
+  const std::size_t pair = lane(first) / 2, old_pair = lane(from) / 2;
+  target.a[pair] = source.a[old_pair], target.b[pair] = source.b[old_pair];
+  for (const auto column : pair_columns) (target.*column)[pair] = (source.*column)[old_pair];
+  copy_points(columns, source, lane(from), target, lane(first));
+  copy_points(flag_columns, source, lane(from), target, lane(first));
   for (const std::size_t k : {0u, 1u}) {
-    for (const auto column : columns) (target.*column)[lane(first + k)] = (source.*column)[lane(from + k)];
     kind[first + k] = others.kind[from + k];
     corner_body[first + k] = others.corner_body[from + k], edge_body[first + k] = others.edge_body[from + k];
     round_[first + k] = others.round_[from + k];
@@ -168,16 +178,16 @@ void ContactPoints::set(std::size_t i, BodyPair bodies, const Feature& f, const 
   PointBlock& b = block(i);
   const std::size_t k = lane(i);
   b.a[k / 2] = bodies.a, b.b[k / 2] = bodies.b;
-  b.corner_is_b[k] = flag(f.corner_body == bodies.b);
-  b.angular[k] = flag(!round);
+  b.corner_is_b[k] = f.corner_body == bodies.b;
+  b.angular[k] = !round;
   note_round(b);
   b.corner_x[k] = f.corner.x, b.corner_y[k] = f.corner.y;
   b.normal_x[k] = f.edge_normal.x, b.normal_y[k] = f.edge_normal.y;
   b.offset_x[k] = dot(f.edge_normal, f.edge_point), b.offset_y[k] = dot(turned(f.edge_normal), f.edge_point);
   b.radius[k] = round ? PointBlock::far_away : f.radius;
   b.facing[k] = length.facing, b.edge_length[k] = length.edge_length;
-  b.nominal[k] = length.nominal, b.per_reference[k] = length.per_reference;
-  b.inverse_width[k] = 1.0 / width;
+  b.nominal[k / 2] = length.nominal, b.per_reference[k] = length.per_reference;
+  b.inverse_width[k / 2] = 1.0 / width;
   set_stiffness(i, law);
 }
 
@@ -192,8 +202,8 @@ void ContactPoints::start(std::size_t i, std::span<const Frame> frames) {
 PointStiffness ContactPoints::stiffness(std::size_t i) const {
   const PointBlock& b = block(i);
   const std::size_t k = lane(i);
-  return {b.normal[k],   b.tangential[k],   b.normal_damping[k], b.tangential_damping[k],
-          b.friction[k], b.resting_share[k]};
+  return {b.normal[k],       b.tangential[k],       b.normal_damping[k], b.tangential_damping[k],
+          b.friction[k / 2], b.resting_share[k / 2]};
 }
 
 void ContactPoints::set_stiffness(std::size_t i, const PointStiffness& law) {
@@ -201,28 +211,28 @@ void ContactPoints::set_stiffness(std::size_t i, const PointStiffness& law) {
   const std::size_t k = lane(i);
   b.normal[k] = law.normal, b.tangential[k] = law.tangential;
   b.normal_damping[k] = law.normal_damping, b.tangential_damping[k] = law.tangential_damping;
-  b.friction[k] = law.friction, b.resting_share[k] = law.resting;
+  b.friction[k / 2] = law.friction, b.resting_share[k / 2] = law.resting;
 }
 
 BearingLength ContactPoints::bearing(std::size_t i) const {
   const PointBlock& b = block(i);
   const std::size_t k = lane(i);
-  return {b.facing[k], b.edge_length[k], b.nominal[k], b.per_reference[k]};
+  return {b.facing[k], b.edge_length[k], b.nominal[k / 2], b.per_reference[k]};
 }
 
 PointHistory ContactPoints::history(std::size_t i) const {
   const PointBlock& b = block(i);
   const std::size_t k = lane(i);
   const Round& r = round_[i];
-  return {b.anchor[k],  b.open[k] != 0.0,    r.direction,    r.angle_corner,
-          r.angle_edge, b.resting[k] != 0.0, b.calm_since[k]};
+  return {b.anchor[k],  b.open[k] != 0,    r.direction,        r.angle_corner,
+          r.angle_edge, b.resting[k] != 0, b.calm_since[k / 2]};
 }
 
 void ContactPoints::set_history(std::size_t i, const PointHistory& h) {
   PointBlock& b = block(i);
   const std::size_t k = lane(i);
-  b.anchor[k] = h.anchor, b.calm_since[k] = h.calm_since;
-  b.open[k] = flag(h.open), b.resting[k] = flag(h.resting);
+  b.anchor[k] = h.anchor, b.calm_since[k / 2] = h.calm_since;
+  b.open[k] = h.open, b.resting[k] = h.resting;
   round_[i].direction = h.direction;
   round_[i].angle_corner = h.angle_corner, round_[i].angle_edge = h.angle_edge;
 }
@@ -250,7 +260,7 @@ PointGeometry geometry_of(const ContactPoints& points, std::size_t i, std::span<
                                      {b.offset_x[k], b.offset_y[k]},
                                      b.radius[k]};
     return corner_edge_geometry(place, pose_of(corner), pose_of(edge),
-                                {b.anchor[k], b.open[k], b.resting[k]});
+                                {b.anchor[k], flag(b.open[k]), flag(b.resting[k])});
   }
   const ContactPoints::Round& past = points.round_[i];
   const Vec2 edge_arm = edge.turned_to_world(past.edge_point);
@@ -265,7 +275,7 @@ PointGeometry geometry_of(const ContactPoints& points, std::size_t i, std::span<
   g.position = distance * cross(past.direction, g.normal) -
                (distance - other) * (corner.angle - past.angle_corner) -
                other * (edge.angle - past.angle_edge);
-  g.slip = b.open[k] != 0.0 ? 0.0 : g.position - b.anchor[k];
+  g.slip = b.open[k] != 0 ? 0.0 : g.position - b.anchor[k];
   g.arm_edge = edge_arm + other * g.normal;
   g.arm_corner = g.arm_edge - between;
   return g;
@@ -291,19 +301,26 @@ Vec2 force_of(const ContactPoints& points, std::size_t i, std::span<const Frame>
 void put_to_rest(ContactPoints& points) {
   for (PointBlock& b : points.blocks())
     for (std::size_t k = 0; k < PointBlock::size; k += 2) {
-      b.resting[k] = b.resting[k + 1] = flag(b.open[k] == 0.0 && b.open[k + 1] == 0.0);
-      b.calm_since[k] = PointBlock::never;
+      b.resting[k] = b.resting[k + 1] = b.open[k] == 0 && b.open[k + 1] == 0;
+      b.calm_since[k / 2] = PointBlock::never;
     }
 }
 
 ContactTotals contact_forces(ContactPoints& points, std::span<const Frame> frames, bool commit,
-                             std::span<PairLoad> loads, double time, double step) {
-  ContactTotals totals;
+                             std::span<PairLoad> loads, double time, double step, Crew& crew) {
+  constexpr std::size_t share = 64;                 // blocks
+  thread_local std::vector<ContactTotals> partial;  // sums, of each share
   const auto blocks = points.blocks();
-  best_kernels().corner_edge_forces(
-      {blocks.data(), blocks.size(), points.size(), frames.data(), commit, loads.data(), time, step}, totals);
-  for (std::size_t k = 0; k < blocks.size(); ++k)
-    if (blocks[k].has_round && !blocks[k].asleep) add_rounds(points, k, frames, commit, loads, step, totals);
+  partial.assign((blocks.size() + share - 1) / share, {});
+  crew.share_range(blocks.size(), share, [&, sums = partial.data()](std::size_t first, std::size_t last) {
+    best_kernels().corner_edge_forces(
+        {blocks.data(), first, last, points.size(), frames.data(), commit, loads.data(), time, step},
+        sums[first / share]);
+    for (std::size_t k = first; k < last; ++k)
+      add_rounds(points, k, frames, commit, loads, step, sums[first / share]);
+  });
+  ContactTotals totals;
+  for (const ContactTotals& sum : partial) totals += sum;
   add_rocking_couples(points, frames, commit, loads, totals);
   return totals;
 }

@@ -61,13 +61,13 @@ class ContactPoints {
   PointStiffness stiffness(std::size_t i) const;
   void set_stiffness(std::size_t i, const PointStiffness& law);
   BearingLength bearing(std::size_t i) const;
-  double inverse_width(std::size_t i) const { return block(i).inverse_width[lane(i)]; }  // 1/m
+  double inverse_width(std::size_t i) const { return block(i).inverse_width[lane(i) / 2]; }  // 1/m
   PointHistory history(std::size_t i) const;
   void set_history(std::size_t i, const PointHistory& history);
   PointPast past(std::size_t i) const;
   void set_past(std::size_t i, const PointPast& past);
-  bool corner_is_b(std::size_t i) const { return block(i).corner_is_b[lane(i)] != 0.0; }
-  bool open(std::size_t i) const { return block(i).open[lane(i)] != 0.0; }
+  bool corner_is_b(std::size_t i) const { return block(i).corner_is_b[lane(i)] != 0; }
+  bool open(std::size_t i) const { return block(i).open[lane(i)] != 0; }
 
   std::span<PointBlock> blocks() { return blocks_; }
   std::span<const PointBlock> blocks() const { return blocks_; }
@@ -110,7 +110,8 @@ Vec2 force_of(const ContactPoints& points, std::size_t i, std::span<const Frame>
 /// since the last commit above 0 its spring counts 1/2 + tau/2h, the dashpot of a closing point, whose force
 /// starts with a jump, 1/2 + tau/h. Impacts are then of second order in h and the spring's work balances.
 ContactTotals contact_forces(ContactPoints& points, std::span<const Frame> frames, bool commit,
-                             std::span<PairLoad> loads, double time = 0.0, double step = 0.0);
+                             std::span<PairLoad> loads, double time = 0.0, double step = 0.0,
+                             Crew& crew = Crew::alone());
 
 /// Every face that bears on both its ends rests.
 void put_to_rest(ContactPoints& points);

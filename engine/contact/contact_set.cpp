@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "engine/contact/stiffness.h"
+#include "engine/kernels.h"
 
 namespace dougong::engine {
 namespace {
@@ -17,7 +18,7 @@ constexpr double refresh_ratio = 0.3;
 // allowed is a part of its length, at least this part of the margin.
 constexpr double shortest_reach = 0.02;
 // Skin of the broad phase over the median minimum width.
-constexpr double skin_ratio = 0.25;
+constexpr double skin_ratio = 0.5;
 constexpr std::size_t longest_wait = 16;  // steps
 // How far a rim may go in one step: two bodies then close by less than half the margin, or half the skin.
 constexpr double margin_travel = 0.2;
@@ -32,29 +33,15 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-struct SeenPose {
-  Vec2 position;
-  double angle;
-};
-
-// The smaller body's pose in the larger one's frame: its own radius bounds how far a turn carries its rim.
-SeenPose seen_pose(const Model& model, std::span<const Frame> frames, BodyPair p) {
-  const bool a_larger = model.bounding_radius[p.a] >= model.bounding_radius[p.b];
-  const Frame &large = frames[a_larger ? p.a : p.b], &small = frames[a_larger ? p.b : p.a];
-  return {large.to_local(small.position()), small.angle - large.angle};
+// The one whose radius bounds how far a turn of the pair carries its rim.
+Index smaller_of(const Model& model, BodyPair p) {
+  return model.bounding_radius[p.a] >= model.bounding_radius[p.b] ? p.b : p.a;
 }
 
 // What the motion that calls for a new manifold is measured by (m).
 double reach_of(const ContactPair& pair) {
   if (pair.manifold.count < 2) return pair.margin;
   return std::clamp(pair.manifold.length, shortest_reach * pair.margin, pair.margin);
-}
-
-// How far any point of one may have moved against the other since then (m).
-double moved_since_seen(const Model& model, const ContactPair& pair, const SeenPose& now) {
-  const Vec2 d = now.position - pair.seen_position;
-  const double radius = std::min(model.bounding_radius[pair.bodies.a], model.bounding_radius[pair.bodies.b]);
-  return std::abs(d.x) + std::abs(d.y) + radius * std::abs(now.angle - pair.seen_angle);
 }
 
 double gap_of(const Feature& f, std::span<const Frame> frames) {
@@ -162,7 +149,8 @@ PointHistory history_with_slip(const ContactPoints& points, std::size_t i, std::
 ContactSet::ContactSet(const Model& model) {
   index_bodies(model.size());
   points = ContactPoints(model.has_rocking_restitution());
-  if (!model.has_contacts()) return;
+  has_contacts_ = model.has_contacts();
+  if (!has_contacts_) return;
   std::vector<double> body_widths;
   double smallest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < model.size(); ++i) {
@@ -214,11 +202,12 @@ void ContactSet::rebuild_pairs(const Model& model, std::span<const Frame> frames
     pair.colliders = colliders;
     pair.bodies = {a.owner, b.owner};
     pair.margin = margin_ratio * std::min(a.minimum_width, b.minimum_width);
-    pair.seen_angle = std::numeric_limits<double>::infinity();  // never seen: has moved
     pairs.push_back(pair);
   }
   leave_behind([](const ContactPair&) { return true; });
   pairs_ = std::move(pairs);
+  watches_.assign((pairs_.size() + PairWatch::size - 1) / PairWatch::size, {});
+  for (std::size_t k = 0; k < pairs_.size(); ++k) watch(model, k);
   note_skin_poses(model, frames);
 }
 
@@ -229,6 +218,18 @@ void ContactSet::note_skin_poses(const Model& model, std::span<const Frame> fram
     skin_position_[i] = frames[i].position() - common;
     skin_angle_[i] = frames[i].angle;
   }
+}
+
+void ContactSet::watch(const Model& model, std::size_t k) {
+  const ContactPair& pair = pairs_[k];
+  PairWatch& w = watches_[k / PairWatch::size];
+  const std::size_t lane = k % PairWatch::size;
+  const Index small = smaller_of(model, pair.bodies);
+  w.small[lane] = small, w.large[lane] = pair.bodies.a == small ? pair.bodies.b : pair.bodies.a;
+  w.x[lane] = pair.seen_position.x, w.y[lane] = pair.seen_position.y, w.angle[lane] = pair.seen_angle;
+  w.radius[lane] = model.bounding_radius[small];
+  w.moved[lane] = 0.0;
+  w.limit[lane] = refresh_ratio * reach_of(pair);
 }
 
 // Gives a pair two slots: two that were left, or new ones behind the others.
@@ -414,9 +415,10 @@ void ContactSet::compact_slots(std::span<const Frame> frames) {
   const ContactPoints old = std::exchange(points, ContactPoints(!points.rocking.empty()));
   std::size_t near = 0, far = old.size() - 2 * free_slots_.size();
   points.resize(far);
-  for (ContactPair& pair : pairs_) {
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    ContactPair& pair = pairs_[k];
     if (!pair.active) continue;
-    const bool apart = pair.gap - pair.moved > sleeping_gap_;
+    const bool apart = pair.gap - moved(k) > sleeping_gap_;
     const std::size_t first = apart ? far -= 2 : near;
     near += apart ? 0 : 2;
     points.take_over(old, pair.first_point, first);
@@ -443,8 +445,9 @@ void ContactSet::index_bodies(std::size_t bodies) {
 void ContactSet::put_blocks_to_sleep(std::span<const Frame> frames) {
   const auto blocks = points.blocks();
   sleeps_.assign(blocks.size(), !rigid_);
-  for (const ContactPair& pair : pairs_) {
-    const bool apart = pair.gap - pair.moved > sleeping_gap_;
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    const ContactPair& pair = pairs_[k];
+    const bool apart = pair.gap - moved(k) > sleeping_gap_;
     if (pair.active && !(apart && points.open(pair.first_point) && points.open(pair.first_point + 1)))
       sleeps_[pair.first_point / PointBlock::size] = false;
   }
@@ -456,21 +459,27 @@ void ContactSet::put_blocks_to_sleep(std::span<const Frame> frames) {
 
 // Finds the manifolds of pairs that have moved since they were seen.
 void ContactSet::refresh_moved(const Model& model, std::span<const Frame> frames) {
-  smallest_reach_ = smallest_margin_;
-  for (ContactPair& pair : pairs_) {
-    const SeenPose now = seen_pose(model, frames, pair.bodies);
-    pair.moved = moved_since_seen(model, pair, now);
-    if (pair.moved > refresh_ratio * reach_of(pair)) {
-      pair.moved = 0.0;
-      pair.seen_position = now.position, pair.seen_angle = now.angle;
-      if (refresh(model, frames, pair)) disturb(pair.bodies);
-    }
-    smallest_reach_ = std::min(smallest_reach_, reach_of(pair));
+  best_kernels().measure_motions(watches_.data(), watches_.size(), frames.data());
+  smallest_limit_ = refresh_ratio * smallest_margin_;
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    const PairWatch& w = watches_[k / PairWatch::size];
+    const std::size_t lane = k % PairWatch::size;
+    if (w.moved[lane] > w.limit[lane]) look_at(model, frames, k);
+    smallest_limit_ = std::min(smallest_limit_, w.limit[lane]);
   }
 }
 
+void ContactSet::look_at(const Model& model, std::span<const Frame> frames, std::size_t k) {
+  ContactPair& pair = pairs_[k];
+  const PairWatch& w = watches_[k / PairWatch::size];
+  const Frame &large = frames[w.large[k % PairWatch::size]], &small = frames[w.small[k % PairWatch::size]];
+  pair.seen_position = large.to_local(small.position()), pair.seen_angle = small.angle - large.angle;
+  if (refresh(model, frames, pair)) disturb(pair.bodies);
+  watch(model, k);
+}
+
 bool ContactSet::update(const Model& model, std::span<const Frame> frames) {
-  if (!model.has_contacts()) return false;
+  if (!has_contacts_) return false;
   const std::size_t before = disturbed_.size();
   if (moved_beyond_skin(model, frames)) rebuild_pairs(model, frames);
   refresh_moved(model, frames);
@@ -496,21 +505,21 @@ std::vector<Index> ContactSet::take_disturbed() {
 
 double ContactSet::longest_step(const Model& model, std::span<const Frame> frames) const {
   const double fastest = fastest_rim(model, frames);
-  if (!model.has_contacts()) return std::numeric_limits<double>::infinity();
+  if (!has_contacts_) return std::numeric_limits<double>::infinity();
   return time_to_go(model, pairs_.empty() ? skin_travel * skin_ : margin_travel * smallest_margin_, fastest);
 }
 
 std::size_t ContactSet::steps_until_update(const Model& model, std::span<const Frame> frames,
                                            double h) const {
-  const double allowed = 0.5 * refresh_ratio * smallest_reach_;
+  const double allowed = 0.5 * smallest_limit_;
   const double steps = time_to_go(model, 0.5 * allowed, fastest_rim(model, frames)) / h;
   return std::max<std::size_t>(1,
                                static_cast<std::size_t>(std::min(steps, static_cast<double>(longest_wait))));
 }
 
-void ContactSet::gather(std::span<const PairLoad> loads, std::span<Vec2> forces,
-                        std::span<double> torques) const {
-  for (std::size_t body = 0; body + 1 < first_.size(); ++body) {
+void ContactSet::gather_bodies(std::size_t begin, std::size_t end, std::span<const PairLoad> loads,
+                               std::span<Vec2> forces, std::span<double> torques) const {
+  for (std::size_t body = begin; body < end; ++body) {
     double fx = 0.0, fy = 0.0, torque = 0.0;
     for (std::size_t k = first_[body]; k < first_[body + 1]; ++k) {
       const PairLoad& load = loads[touches_[k] >> 1];
@@ -522,6 +531,14 @@ void ContactSet::gather(std::span<const PairLoad> loads, std::span<Vec2> forces,
     forces[body] = {fx, fy};
     torques[body] = torque;
   }
+}
+
+void ContactSet::gather(std::span<const PairLoad> loads, std::span<Vec2> forces, std::span<double> torques,
+                        Crew& crew) const {
+  constexpr std::size_t share = 512;  // bodies
+  crew.share_range(first_.size() - 1, share, [&](std::size_t begin, std::size_t end) {
+    gather_bodies(begin, end, loads, forces, torques);
+  });
 }
 
 }  // namespace dougong::engine

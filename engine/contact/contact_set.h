@@ -10,6 +10,7 @@
 
 #include "engine/collision/broad_phase.h"
 #include "engine/contact/contact_points.h"
+#include "engine/contact/pair_watch.h"
 
 namespace dougong::engine {
 
@@ -18,16 +19,16 @@ struct ContactPair {
   BodyPair bodies;      // their owners, a < b
   double margin = 0.0;  // m
   Manifold manifold;
-  double gap = 0.0, moved = 0.0;  // m, when the manifold was found; relative motion since then
-  Index first_point = 0;          // of two, if active
-  bool active = false;            // within the margin
+  double gap = 0.0;        // m, when the manifold was found
+  Index first_point = 0;   // of two, if active
+  bool active = false;     // within the margin
   double hardening = 1.0;  // of its springs, so that they store what those before them did (keep_energy)
   // The couple of the pair's rocking restitution, and the length of contact it was found for.
   RockingLaw rocking;
   double rocking_length = -1.0;  // m
   // Pose of the smaller body in the larger one's frame when the manifold was found.
   Vec2 seen_position;
-  double seen_angle = 0.0;
+  double seen_angle = PairWatch::never;
 };
 
 class ContactSet {
@@ -64,7 +65,8 @@ class ContactSet {
   double longest_step(const Model& model, std::span<const Frame> frames) const;
 
   /// Sums the loads of the pairs over every body and terrain, in a fixed order.
-  void gather(std::span<const PairLoad> loads, std::span<Vec2> forces, std::span<double> torques) const;
+  void gather(std::span<const PairLoad> loads, std::span<Vec2> forces, std::span<double> torques,
+              Crew& crew = Crew::alone()) const;
 
   ContactPoints points;
   const std::vector<ContactPair>& pairs() const { return pairs_; }
@@ -81,7 +83,10 @@ class ContactSet {
   void rebuild_pairs(const Model& model, std::span<const Frame> frames);
   void note_skin_poses(const Model& model, std::span<const Frame> frames);
   bool moved_beyond_skin(const Model& model, std::span<const Frame> frames) const;
+  void watch(const Model& model, std::size_t k);
+  double moved(std::size_t k) const { return watches_[k / PairWatch::size].moved[k % PairWatch::size]; }
   void refresh_moved(const Model& model, std::span<const Frame> frames);
+  void look_at(const Model& model, std::span<const Frame> frames, std::size_t k);
   bool refresh(const Model& model, std::span<const Frame> frames, ContactPair& pair);
   bool renew(const Model& model, std::span<const Frame> frames, ContactPair& pair, const Manifold& old);
   void enter(const Model& model, std::span<const Frame> frames, ContactPair& pair);
@@ -101,16 +106,20 @@ class ContactSet {
   void write_rocking(const Model& model, std::span<const Frame> frames, ContactPair& pair);
   void compact_slots(std::span<const Frame> frames);
   void index_bodies(std::size_t bodies);
+  void gather_bodies(std::size_t begin, std::size_t end, std::span<const PairLoad> loads,
+                     std::span<Vec2> forces, std::span<double> torques) const;
   void put_blocks_to_sleep(std::span<const Frame> frames);
 
   double skin_ = 0.0;             // m
   double smallest_margin_ = 0.0;  // m
-  double smallest_reach_ = 0.0;   // m
+  double smallest_limit_ = 0.0;   // m, of the motions that call for a new look
   double sleeping_gap_ = 0.0;     // m, of pairs that cannot close before the next look
   bool rigid_ = false;
+  bool has_contacts_ = false;
   std::vector<ContactPair> pairs_;
-  std::vector<Index> free_slots_;  // first points
-  std::size_t entered_ = 0;        // pairs, since the slots were compacted
+  std::vector<PairWatch> watches_;  // of eight pairs each
+  std::vector<Index> free_slots_;   // first points
+  std::size_t entered_ = 0;         // pairs, since the slots were compacted
   std::vector<Index> disturbed_;
   std::vector<BodyPair> held_;
   std::vector<Heir> heirs_;

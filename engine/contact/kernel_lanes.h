@@ -2,7 +2,7 @@
 #pragma once
 
 #include "engine/kernels.h"
-#include "engine/lane_rows.h"
+#include "engine/pose_lanes.h"
 
 namespace dougong::engine {
 namespace {
@@ -17,34 +17,20 @@ template <class R>
 DOUGONG_INLINE void store_lanes(PointBlock::Reals& column, int from, R v) {
   store_row(reinterpret_cast<double*>(&column) + from, v);
 }
+template <class R>
+DOUGONG_INLINE R load_lanes(const PointBlock::PairReals& column, int from) {
+  return doubled(reinterpret_cast<const double*>(&column) + from / 2, R{});
+}
+template <class R>
+DOUGONG_INLINE R load_lanes(const PointBlock::Flags& column, int from) {
+  return load_flags<R>(reinterpret_cast<const unsigned char*>(&column) + from);
+}
+template <class R>
+DOUGONG_INLINE void store_lanes(PointBlock::Flags& column, int from, R v) {
+  store_flags(reinterpret_cast<unsigned char*>(&column) + from, v);
+}
 DOUGONG_INLINE Index index_at(const PointBlock::Bodies& bodies, int k) {
   return reinterpret_cast<const Index*>(&bodies)[k];
-}
-
-// Rows x y c s vx vy spin angle of a body each, to a column of bodies each.
-DOUGONG_INLINE PoseOf<Real2> columns(const Frame* const (&f)[2]) {
-  const Frame &a = *f[0], &b = *f[1];
-  const auto both = [] [[gnu::always_inline]] (double p, double q) { return Real2{p, q}; };
-  return {both(a.x, b.x),   both(a.y, b.y),   both(a.c, b.c),       both(a.s, b.s),
-          both(a.vx, b.vx), both(a.vy, b.vy), both(a.spin, b.spin), both(a.angle, b.angle)};
-}
-
-DOUGONG_INLINE PoseOf<Real4> columns(const Frame* const (&f)[4]) {
-  Real4 near[4], far[4];
-  for (int k = 0; k < 4; ++k) {
-    near[k] = load_row<Real4>(&f[k]->x);
-    far[k] = load_row<Real4>(&f[k]->vx);
-  }
-  transpose(near[0], near[1], near[2], near[3]);
-  transpose(far[0], far[1], far[2], far[3]);
-  return {near[0], near[1], near[2], near[3], far[0], far[1], far[2], far[3]};
-}
-
-DOUGONG_INLINE PoseOf<Real8> columns(const Frame* const (&f)[8]) {
-  Real8 r[8];
-  for (int k = 0; k < 8; ++k) r[k] = load_row<Real8>(&f[k]->x);
-  transpose(r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7]);
-  return {r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7]};
 }
 
 // The frames of the corners' bodies and of the edges', for the points from lane `from` of a block.
@@ -120,7 +106,7 @@ DOUGONG_INLINE R follow_rest(PointBlock& b, int from, R angular, R open, R resti
   const R comes_to_rest = evens(where(calm, where_less(waited, needed, R{}, one), R{}));
   const R next_since = where(leaves, never, where(rested, since, calm_since));
   const R next = where(leaves, R{}, greater(rested, comes_to_rest));
-  store_lanes(b.calm_since, from, alternate(where(angular, next_since, since), since));
+  store_evens(reinterpret_cast<double*>(&b.calm_since) + from / 2, R(where(angular, next_since, since)));
   store_lanes(b.resting, from, R(angular * next));
   return angular * leaves * rested;
 }
@@ -201,7 +187,7 @@ DOUGONG_INLINE void add_lanes(const LaneTotals<R>& lanes, std::size_t from, Cont
 // Fewer points than lanes of R: a rocking block has two.
 template <class Few, bool commit>
 DOUGONG_INLINE void evaluate_few(const CornerEdgeCall& call, ContactTotals& totals) {
-  if (call.count == 0) return;
+  if (call.first == call.last) return;
   LaneTotals<Few> lanes;
   evaluate<Few, commit>(call.blocks[0], 0, 0.0, call.frames, call.loads, call.time, call.step, lanes);
   add_lanes(lanes, 0, totals);
@@ -211,7 +197,7 @@ template <class R, bool commit>
 DOUGONG_INLINE void evaluate_blocks(const CornerEdgeCall& call, ContactTotals& totals) {
   constexpr int parts = static_cast<int>(PointBlock::size) / lanes_of<R>;
   LaneTotals<R> lanes[parts];
-  for (std::size_t i = 0; i < call.count; ++i) {
+  for (std::size_t i = call.first; i < call.last; ++i) {
     PairLoad* const to = call.loads + PointBlock::pairs * i;
     if (call.blocks[i].asleep) {
       for (std::size_t k = 0; k < PointBlock::pairs; ++k) to[k] = PairLoad{};

@@ -15,7 +15,8 @@ namespace dougong::engine {
 struct alignas(64) PointBlock {
   static constexpr std::size_t size = 8, pairs = 4;
   using Reals = std::array<double, size>;
-  using Flags = Reals;  // 0 or 1
+  using PairReals = std::array<double, pairs>;    // the same for both points of a pair
+  using Flags = std::array<unsigned char, size>;  // 0 or 1
   using Bodies = std::array<Index, pairs>;
   static constexpr double far_away = -1e100;  // m, the radius of a slot that never touches
   static constexpr double never = std::numeric_limits<double>::infinity();
@@ -28,13 +29,14 @@ struct alignas(64) PointBlock {
   Reals corner_x{}, corner_y{}, normal_x{}, normal_y{}, offset_x{}, offset_y{};
   Reals radius = all(far_away);
   // The law: PointStiffnessOf and BearingLengthOf.
-  Reals normal{}, tangential{}, normal_damping{}, tangential_damping{}, friction{}, resting_share = all(1.0);
-  Reals facing{}, edge_length{}, nominal{}, per_reference = all(1.0);
-  Reals inverse_width{};  // 1/m
+  Reals normal{}, tangential{}, normal_damping{}, tangential_damping{};
+  Reals facing{}, edge_length{}, per_reference = all(1.0);
+  PairReals friction{}, resting_share{1.0, 1.0, 1.0, 1.0}, nominal{};
+  PairReals inverse_width{};  // 1/m
   // What they remember: PointMemoryOf and PointPastOf.
-  Reals anchor{}, calm_since = all(never);
-  Flags open = all(1.0), resting{};
-  Reals overlap{}, position{}, dashpot{}, viscous{}, spent_friction{};
+  PairReals calm_since{never, never, never, never};
+  Reals anchor{}, overlap{}, position{}, dashpot{}, viscous{}, spent_friction{};
+  Flags open{1, 1, 1, 1, 1, 1, 1, 1}, resting{};
 
   Flags corner_is_b{};     // the corner belongs to the pair's second body
   Flags angular{};         // a corner against an edge; the others are round
@@ -66,6 +68,13 @@ struct ContactTotals {
   std::size_t deepest_point = 0;
   bool roused = false;  // a face that rested no longer does: its dashpots are stiffer
 
+  ContactTotals& operator+=(const ContactTotals& o) {
+    damping_power += o.damping_power, tangential_power += o.tangential_power;
+    damping_work += o.damping_work, tangential_work += o.tangential_work;
+    roused |= o.roused;
+    if (o.deepest_ratio > 0.0) note_depth(o.deepest_ratio, o.deepest_point);
+    return *this;
+  }
   /// Of equal ones the first point counts.
   [[gnu::always_inline]] void note_depth(double ratio, std::size_t point) {
     if (ratio < deepest_ratio || (ratio == deepest_ratio && point >= deepest_point)) return;

@@ -27,8 +27,8 @@ Answer answer_of(const Kernels& kernels, const Running& r, bool commit, double s
   const auto blocks = r.state.contacts.points.blocks();
   Answer a{{blocks.begin(), blocks.end()}, std::vector<PairLoad>(r.state.contacts.points.load_count()), {}};
   const auto frames = frames_of(r.model, r.state);
-  kernels.corner_edge_forces({a.blocks.data(), a.blocks.size(), r.state.contacts.points.size(), frames.data(),
-                              commit, a.loads.data(), 0.25, step},
+  kernels.corner_edge_forces({a.blocks.data(), 0, a.blocks.size(), r.state.contacts.points.size(),
+                              frames.data(), commit, a.loads.data(), 0.25, step},
                              a.totals);
   return a;
 }
@@ -101,7 +101,7 @@ TEST(Kernels, PlaceBodiesAlikeWhateverTheirNumber) {
     for (double& x : v) x = number(random);
     for (const Kernels& kernels : supported_kernels()) {
       std::vector<Frame> frames(n);
-      kernels.place_bodies(q.data(), v.data(), n, frames.data());
+      kernels.place_bodies(q.data(), v.data(), n, 0, n, frames.data());
       for (std::size_t i = 0; i < n; ++i) {
         const SineCosine<double> turn = sine_cosine(q[2 * n + i]);
         const Frame& f = frames[i];
