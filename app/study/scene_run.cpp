@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 
 #include "app/study/run_cost.h"
 #include "app/study/run_sheets.h"
 #include "app/study/scene_file.h"
+#include "app/study/scene_findings.h"
 #include "app/study/scene_keys.h"
 #include "app/study/stopwatch.h"
 #include "engine/integrators/table.h"
@@ -43,47 +43,6 @@ double highest_frequency(const PreparedScene& p) {
   return std::sqrt(std::max(squared, 0.0)) / (2.0 * std::numbers::pi);
 }
 
-// Deeper than any weight presses, they will be thrown apart.
-std::vector<std::string> overlaps_at_start(const PreparedScene& p) {
-  constexpr double noticeable = 1e-3;
-  constexpr std::size_t most = 5;
-  const engine::ContactPoints& points = p.state.contacts.points;
-  const auto frames = engine::frames_of(p.model, p.state);
-  std::map<engine::BodyPair, std::pair<double, double>> deepest;  // overlap, its part of the width
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const double overlap = engine::geometry_of(points, i, frames).overlap;
-    if (overlap * points.inverse_width(i) < noticeable) continue;
-    const auto [a, b] = std::minmax(points.corner_body[i], points.edge_body[i]);
-    auto& found = deepest[{a, b}];
-    found = std::max(found, {overlap, overlap * points.inverse_width(i)});
-  }
-  std::vector<std::string> findings;
-  for (const auto& [pair, depth] : deepest) {
-    if (findings.size() == most) break;
-    findings.push_back(fmt::format(
-        "{} and {} overlap by {:.3g} m at the start, {:.2g} % of the smaller one's width: they will be "
-        "thrown apart",
-        p.model.names[pair.a], p.model.names[pair.b], depth.first, 100.0 * depth.second));
-  }
-  if (deepest.size() > findings.size())
-    findings.push_back(fmt::format("{} more pairs overlap", deepest.size() - findings.size()));
-  return findings;
-}
-
-// Output times and the samples of a motion are multiples of one interval.
-std::vector<std::string> changed_outputs(const PreparedScene& p) {
-  const double asked = 1.0 / p.description.output.rate, given = p.plan.output_interval;
-  const double end = std::ceil(p.drive.end_time / given - 1e-9) * given;
-  std::vector<std::string> findings;
-  if (std::abs(given - asked) > 1e-9 * asked)
-    findings.push_back(
-        fmt::format("output every {:.6g} s instead of {:.6g} s, to meet the motion's samples", given, asked));
-  if (end > p.drive.end_time * (1.0 + 1e-9))
-    findings.push_back(fmt::format("{:.6g} s are simulated instead of {:.6g} s, a whole number of outputs",
-                                   end, p.drive.end_time));
-  return findings;
-}
-
 // Pose, velocity and acceleration of every body and a dozen histories.
 void refuse_too_much_output(const PreparedScene& p) {
   const double values = 9.0 * static_cast<double>(p.model.body_count) + 12.0;
@@ -109,6 +68,7 @@ class SceneRecorder {
     note_bodies(sample);
     note_bonds(sample);
     note_terrains(sample);
+    for (std::string& text : rocking_.look(p_.model, sample.state)) warnings_.push_back(std::move(text));
     energies_.note(p_.model, sample.state);
     out_.run.numerics.overlap_ratio.push_back(
         deepest_overlap_ratio(sample.state.contacts.points, engine::frames_of(p_.model, sample.state)));
@@ -118,6 +78,7 @@ class SceneRecorder {
     return {out_.run.trajectory.times.back(), p_.drive.end_time, fastest_, energies_.energy.relative_error};
   }
   EnergyHistory take_energy() { return std::move(energies_.energy); }
+  const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:
   void note_bodies(const engine::Sample& sample) {
@@ -169,6 +130,8 @@ class SceneRecorder {
   SceneResult& out_;
   bool rides_;
   EnergyRecorder energies_;
+  RockingLimits rocking_;
+  std::vector<std::string> warnings_;
   double fastest_ = 0.0;
 };
 
@@ -245,8 +208,7 @@ PreparedScene check_scene(const SceneDescription& description,
   choose_drive(p);
   p.plan = engine::plan_steps(p.model, p.state, p.drive);
   p.highest_frequency = highest_frequency(p);
-  p.findings = overlaps_at_start(p);
-  for (std::string& text : changed_outputs(p)) p.findings.push_back(std::move(text));
+  p.findings = findings_of(p);
   return p;
 }
 
@@ -331,6 +293,8 @@ SceneResult run_scene(PreparedScene& p, const std::string& command, const SceneO
   const std::vector<double> overlaps = std::move(run.numerics.overlap_ratio);
   run.numerics = numerics_of(p.model, p.state, p.drive, outcome);
   run.numerics.overlap_ratio = overlaps;
+  run.numerics.warnings.insert(run.numerics.warnings.end(), recorder.warnings().begin(),
+                               recorder.warnings().end());
   result.reason = number_trouble(result, outcome);
   result.valid = result.reason.empty();
   run.moments = moments_of(p, run.trajectory);
