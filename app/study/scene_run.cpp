@@ -43,6 +43,10 @@ double highest_frequency(const PreparedScene& p) {
   return std::sqrt(std::max(squared, 0.0)) / (2.0 * std::numbers::pi);
 }
 
+std::vector<engine::TreeError> tree_errors_now(const PreparedScene& p) {
+  return engine::tree_errors(p.model.fields, engine::frames_of(p.model, p.state));
+}
+
 // Pose, velocity and acceleration of every body and a dozen histories.
 void refuse_too_much_output(const PreparedScene& p) {
   const double values = 9.0 * static_cast<double>(p.model.body_count) + 12.0;
@@ -209,6 +213,7 @@ PreparedScene check_scene(const SceneDescription& description,
   p.plan = engine::plan_steps(p.model, p.state, p.drive);
   p.highest_frequency = highest_frequency(p);
   p.findings = findings_of(p);
+  p.tree_errors = tree_errors_now(p);
   return p;
 }
 
@@ -219,6 +224,7 @@ PreparedScene prepare_scene(const SceneDescription& description,
     p.settle = engine::settle(p.model, p.state);
     p.plan = engine::plan_steps(p.model, p.state, p.drive);
     p.highest_frequency = highest_frequency(p);
+    p.tree_errors = tree_errors_now(p);
   }
   refuse_unstable_step(p.drive, p.plan);
   refuse_too_much_output(p);
@@ -277,6 +283,7 @@ SceneResult run_scene(PreparedScene& p, const std::string& command, const SceneO
   result.output = p.description.output;
   for (const engine::Terrain& terrain : p.scene.terrains) result.terrain_names.push_back(terrain.name);
 
+  result.tree_at_start = tree_errors_now(p);
   const Stopwatch watch;
   SceneRecorder recorder(p, result);
   const engine::RunOutcome outcome =
@@ -288,6 +295,7 @@ SceneResult run_scene(PreparedScene& p, const std::string& command, const SceneO
   run.reproducibility.cpu_seconds = watch.cpu();
   run.reproducibility.state_hash = engine::state_hash(p.state);
 
+  result.tree_at_end = tree_errors_now(p);
   run.partial = outcome.outcome == engine::Outcome::interrupted;
   run.energy = recorder.take_energy();
   const std::vector<double> overlaps = std::move(run.numerics.overlap_ratio);

@@ -18,7 +18,8 @@ std::size_t bodies_with(const engine::Scene& scene, Member member) {
   return count;
 }
 
-void add_fields(const engine::Scene& scene, std::vector<std::string>& terms) {
+void add_fields(const PreparedScene& p, std::vector<std::string>& terms) {
+  const engine::Scene& scene = p.scene;
   const engine::Fields& f = scene.fields;
   if (f.gravitational_constant != 0.0)
     terms.push_back(fmt::format(
@@ -29,6 +30,9 @@ void add_fields(const engine::Scene& scene, std::vector<std::string>& terms) {
     terms.push_back(fmt::format("Coulomb forces between {}, k = {}",
                                 counted(bodies_with(scene, &engine::Body::charge), "charge", "charges"),
                                 print_quantity(f.coulomb_constant, Dimension::coulomb_constant)));
+  if (!p.tree_errors.empty())
+    terms.push_back(
+        fmt::format("far bodies as one: a Barnes-Hut tree with an opening angle of {}", f.opening_angle));
   if (f.electric_field != engine::Vec2{}) terms.emplace_back("a uniform electric field");
 }
 
@@ -61,7 +65,7 @@ std::vector<std::string> modelled_terms(const PreparedScene& p) {
       "Coulomb friction with an elastic spring"};
   if (p.scene.gravity != engine::Vec2{})
     terms.push_back(fmt::format("uniform gravity of {:.6g} m/s2", engine::norm(p.scene.gravity)));
-  add_fields(p.scene, terms);
+  add_fields(p, terms);
   add_drag(p.scene, terms);
   add_connections(p.scene, terms);
   add_motions(p, terms);
