@@ -315,6 +315,17 @@ TEST(SceneTerms, NameOnlyWhatTheSceneHas) {
   EXPECT_THAT(missing_terms(p), Contains(HasSubstr("uniform gravity: switched off")));
 }
 
+TEST(SceneTerms, KnowContactsOnlyWhereSomethingCanTouchAndOfWhichKind) {
+  EXPECT_THAT(modelled_terms(prepared(falling)), Not(Contains(HasSubstr("contact"))));
+  EXPECT_THAT(missing_terms(prepared(falling)),
+              Contains(HasSubstr("contact and friction: nothing can touch")));
+  EXPECT_THAT(modelled_terms(prepared(box)), Contains(HasSubstr("contact: springs from the Young's moduli")));
+  EXPECT_THAT(modelled_terms(prepared(box + "[contact]\npoint_stiffness = \"1 MN/m\"\n")),
+              Contains(HasSubstr("contact: springs of the stiffness that is given")));
+  EXPECT_THAT(modelled_terms(prepared(box + "[solve]\nintegrator = \"moreau-jean\"\n")),
+              Contains(HasSubstr("contact: rigid, impulses")));
+}
+
 TEST(SceneTerms, SayThatAChargeFeelsNothing) {
   SceneDescription d = scene(falling);
   d.bodies[0].charge = 1.0;
