@@ -7,6 +7,7 @@
 #include <map>
 
 #include "app/study/quantity.h"
+#include "app/study/rocking_limits.h"
 #include "engine/fields/pair_field.h"
 #include "engine/integrators/table.h"
 
@@ -199,42 +200,7 @@ class MootKeys {
   Findings findings_;
 };
 
-// --- rocking -----------------------------------------------------------------------------------------
-
-// As the contact law takes it: the lighter of two rocks on the other, which stands still.
-engine::RockingImpact rocking_impact(const engine::Model& model, std::span<const engine::Frame> frames,
-                                     const engine::ContactPoints& points, std::size_t i) {
-  const engine::Index corner = points.corner_body[i], edge = points.edge_body[i];
-  const engine::Index rocks = model.mass[corner] <= model.mass[edge] ? corner : edge;
-  const engine::PointGeometry g = engine::geometry_of(points, i, frames);
-  const engine::Vec2 place = frames[edge].position() + g.arm_edge;
-  return {model.mass[rocks], model.inertia[rocks], 0.5 * points.rocking[i].length,
-          std::abs(engine::dot(g.normal, frames[rocks].position() - place)), points.stiffness(i)};
-}
-
 }  // namespace
-
-Findings RockingLimits::look(const engine::Model& model, const engine::State& state) {
-  constexpr double missed = 0.005;
-  Findings findings;
-  const engine::ContactPoints& points = state.contacts.points;
-  if (points.rocking.empty()) return findings;
-  const auto frames = engine::frames_of(model, state);
-  for (std::size_t i = 0; i < points.size(); i += 2) {
-    const engine::RockingDashpot& dashpot = points.rocking[i];
-    const auto [a, b] = std::minmax(points.corner_body[i], points.edge_body[i]);
-    if (!dashpot.acts() || !seen_.insert({a, b}).second) continue;
-    const double asked = *model.rule(a, b).rocking_restitution;
-    const double reached = engine::velocity_ratio(rocking_impact(model, frames, points, i),
-                                                  {dashpot.couple, std::abs(dashpot.inset)});
-    if (std::abs(reached - asked) > missed)
-      findings.push_back(
-          fmt::format("{} on {}: a rocking restitution of {} is out of the contact law's reach, which keeps "
-                      "{:.3g} of the spin",
-                      model.names[a], model.names[b], asked, reached));
-  }
-  return shortened(std::move(findings), "faces do not reach their rocking restitution");
-}
 
 Findings findings_of(const PreparedScene& p) {
   Findings findings = overlaps_at_start(p);

@@ -3,7 +3,6 @@
 // instead (scene_ignored.h).
 #pragma once
 
-#include <set>
 #include <string>
 #include <vector>
 
@@ -13,16 +12,5 @@ namespace dougong::app {
 
 /// Of a scene that is compiled and at its start.
 std::vector<std::string> findings_of(const PreparedScene& scene);
-
-/// Faces whose contact law cannot give the rocking restitution that is asked for (engine/contact/rocking.h),
-/// once a pair of bodies.
-class RockingLimits {
- public:
-  /// Of the faces that meet in this state and did not before.
-  std::vector<std::string> look(const engine::Model& model, const engine::State& state);
-
- private:
-  std::set<engine::BodyPair> seen_;
-};
 
 }  // namespace dougong::app

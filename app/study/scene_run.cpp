@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/study/rocking_limits.h"
 #include "app/study/run_cost.h"
 #include "app/study/run_sheets.h"
 #include "app/study/scene_file.h"
@@ -283,7 +284,7 @@ SceneResult run_scene(PreparedScene& p, const std::string& command, const SceneO
   result.output = p.description.output;
   for (const engine::Terrain& terrain : p.scene.terrains) result.terrain_names.push_back(terrain.name);
 
-  result.tree_at_start = tree_errors_now(p);
+  result.tree_at_start = p.tree_errors;
   const Stopwatch watch;
   SceneRecorder recorder(p, result);
   const engine::RunOutcome outcome =

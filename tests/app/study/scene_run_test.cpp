@@ -174,7 +174,7 @@ TEST(SceneRun, SaysWhichRockingRestitutionIsReachedInstead) {
            "[solve]\nduration = \"10 ms\"\n";
   };
   const auto said =
-      AllOf(HasSubstr("box on floor: a rocking restitution of 1 is out of the contact law's reach"),
+      AllOf(HasSubstr("box and floor: a rocking restitution of 1 is out of the contact law's reach"),
             HasSubstr("of the spin"));
   EXPECT_THAT(prepared(rocking("1")).findings, ElementsAre(said));
   EXPECT_THAT(ran(rocking("1")).run.numerics.warnings, Contains(said));
