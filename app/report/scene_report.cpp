@@ -88,6 +88,25 @@ void write_terrains(hid_t file, const SceneResult& r) {
       .write("displacement", "m", r.terrain_displacements);
 }
 
+// Datasets of one value a field, at the start and at the end of the run.
+void write_trees(ResultsWriter& writer, const SceneResult& r) {
+  if (r.tree_at_start.empty()) return;
+  const auto each = [](const std::vector<engine::TreeError>& errors, auto member) {
+    std::vector<double> values;
+    for (const engine::TreeError& e : errors) values.push_back(static_cast<double>(e.*member));
+    return values;
+  };
+  std::vector<std::string> fields;
+  for (const engine::TreeError& e : r.tree_at_start) fields.push_back(e.field);
+  writer.group("tree", [&] {
+    writer.field("field", "", fields);
+    writer.field("opening_angle", "", each(r.tree_at_start, &engine::TreeError::opening_angle));
+    writer.field("compared", "", each(r.tree_at_start, &engine::TreeError::compared));
+    writer.field("force_error_at_start", "", each(r.tree_at_start, &engine::TreeError::relative));
+    writer.field("force_error_at_end", "", each(r.tree_at_end, &engine::TreeError::relative));
+  });
+}
+
 std::string image_of(const SceneResult& r) {
   const h5::Handle file = h5::new_file_in_memory();
   h5::write_text_attribute(file, "format", "dougong scene results");
@@ -107,6 +126,7 @@ std::string image_of(const SceneResult& r) {
     writer.field("fracture", "J", r.run.energy.fracture);
     writer.field("field", "J", r.run.energy.field);
   });
+  write_trees(writer, r);
   writer.group("numerics", [&] { walk_numerics(writer, r.run.numerics); });
   writer.group("reproducibility", [&] { walk_reproducibility(writer, r.run.reproducibility); });
   return h5::image(file);

@@ -24,6 +24,10 @@ void refuse_what_does_nothing(const IntegrationChoice& choice, const std::string
   if (choice.tolerance && !adaptive && !automatic)
     refuse("tolerance", integrator, "takes steps of a given size");
   if (choice.step_fraction && adaptive) refuse("step_fraction", integrator, "chooses its own steps");
+  if (choice.accuracy == IntegrationChoice{}.accuracy) return;
+  if (choice.tolerance && (automatic || adaptive)) refuse("accuracy", "the tolerance", "stands in its place");
+  if (!automatic && (choice.step || choice.step_fraction))
+    refuse("accuracy", "with a named integrator its step", "stands in its place");
 }
 
 // With the integrator left open a tolerance is a position of the dial.

@@ -1,5 +1,6 @@
 #include "app/study/prepare.h"
 
+#include "app/study/rocking_limits.h"
 #include "app/study/run_cost.h"
 
 namespace dougong::app {
@@ -32,6 +33,11 @@ void settle_building(Preparation& p) {
     if (engine::geometry_of(p.state.contacts.points, i, frames).overlap > 0.0) ++p.contact_points;
 }
 
+void note_rocking_limits(Preparation& p) {
+  for (std::string& text : RockingLimits{}.look(p.model, p.state))
+    p.findings.push_back({structures::Severity::warning, std::move(text), {}});
+}
+
 // The mode that carries most of the mass is the one an engineer calls the building's period.
 void find_period(Preparation& p) {
   for (const engine::Mode& mode : engine::horizontal_modes(p.model, p.state))
@@ -58,6 +64,7 @@ Preparation prepare(const Scenario& scenario, const std::filesystem::path& recor
   p.model = engine::compile(p.building.scene);
   p.state = engine::initial_state(p.model, p.building.scene);
   settle_building(p);
+  note_rocking_limits(p);
   find_period(p);
   p.duration = duration_of(scenario, p.motion);
   choose_drive(p);

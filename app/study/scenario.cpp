@@ -50,6 +50,7 @@ class Reader {
     keep_one_of("record.pga", "record.scale");
     for (const Entry& entry : entries_) set(entry);
     require_record();
+    require_filter();
     complete_layout();
     if (!errors_.empty()) throw ScenarioError(std::move(errors_));
     return scenario_;
@@ -177,6 +178,18 @@ class Reader {
     const Entry *file = find_entry("record.file"), *name = find_entry("record.name");
     if (rule_ == RecordRule::optional || (file && is_set(*file)) || (name && is_set(*name))) return;
     fail(source_, "no record: give record.file (a path) or record.name (of the catalogue)");
+  }
+
+  /// What a filter that is switched off would not look at.
+  void require_filter() {
+    if (scenario_.conditioning.filter) return;
+    for (const char* name :
+         {"conditioning.high_pass", "conditioning.low_pass", "conditioning.filter_order"}) {
+      const Entry* entry = find_entry(name);
+      const ScenarioKey& key = *find_key(name);
+      if (entry && is_set(*entry) && toml_value(key, scenario_) != default_of(key))
+        fail(entry->where, fmt::format("{}: of the filter, which is switched off", name));
+    }
   }
 
   /// Builds it once: only the layout knows which values do not fit each other.

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/study/scene_ignored.h"
 #include "app/study/scene_keys.h"
 #include "engine/material_presets.h"
+#include "engine/shape_distance.h"
 #include "structures/nearest_name.h"
 
 namespace dougong::app {
@@ -175,6 +177,7 @@ class Builder {
     each("joint", d_.joints, [&](const JointChoice& j) { add_joint(j); });
     each("bond", d_.bonds, [&](const BondChoice& b) { add_bond(b); });
     check_rest();
+    for (SceneProblem& problem : ignored_keys(d_)) out_.problems.push_back(std::move(problem));
     if (out_.scene.materials.empty()) out_.scene.materials.emplace_back();
     return std::move(out_);
   }
@@ -421,12 +424,38 @@ class Builder {
     out_.scene.joints.push_back(joint);
   }
 
+  double distance_from(Owner owner, Vec2 point) const {
+    const auto outside = [&](const auto& thing) {
+      return engine::distance_outside(thing.shape, into_frame(point, thing.position, thing.angle));
+    };
+    return owner.terrain ? outside(out_.scene.terrains[owner.index])
+                         : outside(out_.scene.bodies[owner.index]);
+  }
+
+  /// A joint of mortar may be thick; what lies further away is not bonded by this face.
+  void check_face(const BondChoice& choice, const engine::Bond& bond) {
+    if (!owners_.contains(choice.a) || !owners_.contains(choice.b)) return;
+    constexpr double thickest = 0.25;  // of the slimmer one's width
+    double width = INFINITY;
+    for (const Owner owner : {bond.a, bond.b})
+      if (!owner.terrain)
+        width = std::min(width, engine::minimum_width(out_.scene.bodies[owner.index].shape));
+    const auto check = [&](const char* key, Vec2 end, const std::string& name, Owner owner) {
+      const double apart = distance_from(owner, end);
+      if (apart > thickest * width)
+        fail(key, fmt::format("expected on the face of {}, found {:.3g} m from it", name, apart));
+    };
+    check("start", bond.start, choice.a, bond.a), check("start", bond.start, choice.b, bond.b);
+    check("end", bond.end, choice.a, bond.a), check("end", bond.end, choice.b, bond.b);
+  }
+
   void add_bond(const BondChoice& choice) {
     engine::Bond bond;
     bond.name = choice.name;
     std::tie(bond.a, bond.b) = both_owners(choice);
     if (choice.start == choice.end) fail("end", "the ends of the bonded face are the same point");
     bond.start = choice.start, bond.end = choice.end;
+    check_face(choice, bond);
     bond.normal_stiffness = choice.normal_stiffness;
     bond.shear_stiffness = choice.shear_stiffness;
     bond.tensile_strength = choice.tensile_strength.value_or(bond.tensile_strength);

@@ -179,12 +179,19 @@ class Reader {
   std::string place_of(const SceneProblem& p) const {
     const Entry* section = find_item(*items_of(root_), p.section);
     if (!section) return source_;
-    const bool listed = p.section != "output" && p.section != "solve";
+    const bool listed = p.section != "output" && p.section != "solve" && p.section != "contact";
     const auto* items = items_of(*section);
     const Entry* thing = listed && items && p.index < items->size() ? &(*items)[p.index] : section;
-    const auto* values = items_of(*thing);
-    const Entry* value = values ? find_item(*values, p.key) : nullptr;
-    return value ? value->where : thing->where;
+    return innermost(*thing, p.key).where;
+  }
+
+  /// The value of "motion.pga" in a thing, or the last of its tables that is there.
+  static const Entry& innermost(const Entry& thing, const std::string& key) {
+    const auto* values = items_of(thing);
+    const std::size_t dot = key.find('.');
+    const Entry* value = values ? find_item(*values, key.substr(0, dot)) : nullptr;
+    if (!value) return thing;
+    return dot == std::string::npos ? *value : innermost(*value, key.substr(dot + 1));
   }
 
   const Entry& root_;

@@ -201,8 +201,10 @@ std::vector<Key<JointChoice>> joint_keys() {
                 "of a spring; of the others none: the Young's moduli times thickness, in series"),
       number<J>("rotational_stiffness", AT(J, rotational_stiffness), Dimension::rotational_stiffness,
                 above_zero, endless, "of a weld; none: stiffness times width2/12 of the slimmer body"),
-      number<J>("damping", AT(J, damping), Dimension::damping, 0, endless, "instead of damping_ratio"),
-      number<J>("damping_ratio", AT(J, damping_ratio), ratio, 0, 1e3, "of the mass that the joint feels"),
+      number<J>("damping", AT(J, damping), Dimension::damping, 0, endless,
+                "instead of damping_ratio; of a weld's turning times rotational_stiffness over stiffness"),
+      number<J>("damping_ratio", AT(J, damping_ratio), ratio, 0, 1e3,
+                "of the mass that the joint feels, and of the inertia that a weld's turning feels"),
       number<J>("rest_length", AT(J, rest_length), length, 0, endless,
                 "of a distance or spring; none: that of the start"),
   };
@@ -227,7 +229,7 @@ std::vector<Key<BondChoice>> bond_keys() {
                 "of the bonded face; one that has cracked has its materials'"),
       number<B>("fracture_energy", AT(B, fracture_energy), Dimension::fracture_energy, 0, endless,
                 "in tension; 0: breaks at once"),
-      number<B>("yield_strength", AT(B, yield_strength), pressure, 0, endless,
+      number<B>("yield_strength", AT(B, yield_strength), pressure, above_zero, endless,
                 "ductile, in tension, if below the tensile strength; none: does not yield"),
       number<B>("damping_ratio", AT(B, damping_ratio), ratio, 0, 1e3, "local"),
   };
@@ -248,8 +250,8 @@ std::vector<Key<engine::Fields>> field_keys() {
   return {
       number<F>("gravitational_constant", AT(F, gravitational_constant), Dimension::gravitational_constant, 0,
                 endless, "every body attracts every other; the real one is 6.6743e-11 m3/(kg s2)"),
-      value<F>("coulomb_constant", AT(F, coulomb_constant), Dimension::coulomb_constant,
-               "charges act on each other; the real one is 8.9875517923e9 N m2/C2"),
+      number<F>("coulomb_constant", AT(F, coulomb_constant), Dimension::coulomb_constant, 0, endless,
+                "charges act on each other; the real one is 8.9875517923e9 N m2/C2"),
       number<F>("softening", AT(F, softening), length, 0, endless,
                 "s of the potential 1/sqrt(r2 + s2), so that near bodies are not flung apart"),
       number<F>("opening_angle", AT(F, opening_angle), ratio, 0, 2,

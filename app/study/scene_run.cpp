@@ -4,12 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 
+#include "app/study/rocking_limits.h"
 #include "app/study/run_cost.h"
 #include "app/study/run_sheets.h"
 #include "app/study/scene_file.h"
+#include "app/study/scene_findings.h"
 #include "app/study/scene_keys.h"
 #include "app/study/stopwatch.h"
 #include "engine/integrators/table.h"
@@ -43,45 +44,8 @@ double highest_frequency(const PreparedScene& p) {
   return std::sqrt(std::max(squared, 0.0)) / (2.0 * std::numbers::pi);
 }
 
-// Deeper than any weight presses, they will be thrown apart.
-std::vector<std::string> overlaps_at_start(const PreparedScene& p) {
-  constexpr double noticeable = 1e-3;
-  constexpr std::size_t most = 5;
-  const engine::ContactPoints& points = p.state.contacts.points;
-  const auto frames = engine::frames_of(p.model, p.state);
-  std::map<engine::BodyPair, std::pair<double, double>> deepest;  // overlap, its part of the width
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const double overlap = engine::geometry_of(points, i, frames).overlap;
-    if (overlap * points.inverse_width(i) < noticeable) continue;
-    const auto [a, b] = std::minmax(points.corner_body[i], points.edge_body[i]);
-    auto& found = deepest[{a, b}];
-    found = std::max(found, {overlap, overlap * points.inverse_width(i)});
-  }
-  std::vector<std::string> findings;
-  for (const auto& [pair, depth] : deepest) {
-    if (findings.size() == most) break;
-    findings.push_back(fmt::format(
-        "{} and {} overlap by {:.3g} m at the start, {:.2g} % of the smaller one's width: they will be "
-        "thrown apart",
-        p.model.names[pair.a], p.model.names[pair.b], depth.first, 100.0 * depth.second));
-  }
-  if (deepest.size() > findings.size())
-    findings.push_back(fmt::format("{} more pairs overlap", deepest.size() - findings.size()));
-  return findings;
-}
-
-// Output times and the samples of a motion are multiples of one interval.
-std::vector<std::string> changed_outputs(const PreparedScene& p) {
-  const double asked = 1.0 / p.description.output.rate, given = p.plan.output_interval;
-  const double end = std::ceil(p.drive.end_time / given - 1e-9) * given;
-  std::vector<std::string> findings;
-  if (std::abs(given - asked) > 1e-9 * asked)
-    findings.push_back(
-        fmt::format("output every {:.6g} s instead of {:.6g} s, to meet the motion's samples", given, asked));
-  if (end > p.drive.end_time * (1.0 + 1e-9))
-    findings.push_back(fmt::format("{:.6g} s are simulated instead of {:.6g} s, a whole number of outputs",
-                                   end, p.drive.end_time));
-  return findings;
+std::vector<engine::TreeError> tree_errors_now(const PreparedScene& p) {
+  return engine::tree_errors(p.model.fields, engine::frames_of(p.model, p.state));
 }
 
 // Pose, velocity and acceleration of every body and a dozen histories.
@@ -109,6 +73,7 @@ class SceneRecorder {
     note_bodies(sample);
     note_bonds(sample);
     note_terrains(sample);
+    for (std::string& text : rocking_.look(p_.model, sample.state)) warnings_.push_back(std::move(text));
     energies_.note(p_.model, sample.state);
     out_.run.numerics.overlap_ratio.push_back(
         deepest_overlap_ratio(sample.state.contacts.points, engine::frames_of(p_.model, sample.state)));
@@ -118,6 +83,7 @@ class SceneRecorder {
     return {out_.run.trajectory.times.back(), p_.drive.end_time, fastest_, energies_.energy.relative_error};
   }
   EnergyHistory take_energy() { return std::move(energies_.energy); }
+  const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:
   void note_bodies(const engine::Sample& sample) {
@@ -169,6 +135,8 @@ class SceneRecorder {
   SceneResult& out_;
   bool rides_;
   EnergyRecorder energies_;
+  RockingLimits rocking_;
+  std::vector<std::string> warnings_;
   double fastest_ = 0.0;
 };
 
@@ -245,8 +213,8 @@ PreparedScene check_scene(const SceneDescription& description,
   choose_drive(p);
   p.plan = engine::plan_steps(p.model, p.state, p.drive);
   p.highest_frequency = highest_frequency(p);
-  p.findings = overlaps_at_start(p);
-  for (std::string& text : changed_outputs(p)) p.findings.push_back(std::move(text));
+  p.findings = findings_of(p);
+  p.tree_errors = tree_errors_now(p);
   return p;
 }
 
@@ -257,6 +225,7 @@ PreparedScene prepare_scene(const SceneDescription& description,
     p.settle = engine::settle(p.model, p.state);
     p.plan = engine::plan_steps(p.model, p.state, p.drive);
     p.highest_frequency = highest_frequency(p);
+    p.tree_errors = tree_errors_now(p);
   }
   refuse_unstable_step(p.drive, p.plan);
   refuse_too_much_output(p);
@@ -315,6 +284,7 @@ SceneResult run_scene(PreparedScene& p, const std::string& command, const SceneO
   result.output = p.description.output;
   for (const engine::Terrain& terrain : p.scene.terrains) result.terrain_names.push_back(terrain.name);
 
+  result.tree_at_start = p.tree_errors;
   const Stopwatch watch;
   SceneRecorder recorder(p, result);
   const engine::RunOutcome outcome =
@@ -326,11 +296,14 @@ SceneResult run_scene(PreparedScene& p, const std::string& command, const SceneO
   run.reproducibility.cpu_seconds = watch.cpu();
   run.reproducibility.state_hash = engine::state_hash(p.state);
 
+  result.tree_at_end = tree_errors_now(p);
   run.partial = outcome.outcome == engine::Outcome::interrupted;
   run.energy = recorder.take_energy();
   const std::vector<double> overlaps = std::move(run.numerics.overlap_ratio);
   run.numerics = numerics_of(p.model, p.state, p.drive, outcome);
   run.numerics.overlap_ratio = overlaps;
+  run.numerics.warnings.insert(run.numerics.warnings.end(), recorder.warnings().begin(),
+                               recorder.warnings().end());
   result.reason = number_trouble(result, outcome);
   result.valid = result.reason.empty();
   run.moments = moments_of(p, run.trajectory);

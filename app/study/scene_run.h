@@ -7,6 +7,7 @@
 #include "app/study/scene_build.h"
 #include "app/study/scene_description.h"
 #include "engine/drive.h"
+#include "engine/fields/tree_error.h"
 #include "engine/settle.h"
 
 namespace dougong::app {
@@ -21,8 +22,9 @@ struct PreparedScene {
   engine::DriveOptions drive;
   std::string accuracy;  // what it chose and why; empty when an integrator was named
   engine::StepPlan plan;
-  double highest_frequency = 0.0;  // Hz, bound; 0 where nothing vibrates
-  double estimated_seconds = 0.0;  // of one processor
+  double highest_frequency = 0.0;              // Hz, bound; 0 where nothing vibrates
+  double estimated_seconds = 0.0;              // of one processor
+  std::vector<engine::TreeError> tree_errors;  // at the start, of fields summed by a tree
   /// What is accepted and perhaps not meant: bodies that overlap at the start, outputs at other times.
   std::vector<std::string> findings;
 };
@@ -50,6 +52,8 @@ struct SceneResult {
   std::vector<engine::Vec2> terrain_displacements;  // m, absolute, [time][terrain]
   bool valid = true;                                // false: the numbers failed; `reason` says which
   std::string reason;
+  /// Of fields summed by a tree, measured where the bodies were at the start and at the end.
+  std::vector<engine::TreeError> tree_at_start, tree_at_end;
 };
 
 struct SceneProgress {

@@ -3,6 +3,7 @@
 
 #include "app/study/quantity.h"
 #include "app/study/scene_run.h"
+#include "engine/integrators/table.h"
 
 namespace dougong::app {
 namespace {
@@ -18,7 +19,21 @@ std::size_t bodies_with(const engine::Scene& scene, Member member) {
   return count;
 }
 
-void add_fields(const engine::Scene& scene, std::vector<std::string>& terms) {
+void add_contact(const PreparedScene& p, std::vector<std::string>& terms) {
+  if (!p.model.has_contacts()) return;
+  if (engine::traits_of(p.drive.integrator).rigid_contacts) {
+    terms.emplace_back("contact: rigid, impulses with the restitution of the damping ratio, never tensile");
+    terms.emplace_back("Coulomb friction by impulses");
+    return;
+  }
+  terms.push_back(fmt::format("contact: springs {}, dashpots from the damping ratio, never tensile",
+                              p.scene.contact.point_stiffness ? "of the stiffness that is given"
+                                                              : "from the Young's moduli and sizes"));
+  terms.emplace_back("Coulomb friction with an elastic spring");
+}
+
+void add_fields(const PreparedScene& p, std::vector<std::string>& terms) {
+  const engine::Scene& scene = p.scene;
   const engine::Fields& f = scene.fields;
   if (f.gravitational_constant != 0.0)
     terms.push_back(fmt::format(
@@ -29,6 +44,9 @@ void add_fields(const engine::Scene& scene, std::vector<std::string>& terms) {
     terms.push_back(fmt::format("Coulomb forces between {}, k = {}",
                                 counted(bodies_with(scene, &engine::Body::charge), "charge", "charges"),
                                 print_quantity(f.coulomb_constant, Dimension::coulomb_constant)));
+  if (!p.tree_errors.empty())
+    terms.push_back(
+        fmt::format("far bodies as one: a Barnes-Hut tree with an opening angle of {}", f.opening_angle));
   if (f.electric_field != engine::Vec2{}) terms.emplace_back("a uniform electric field");
 }
 
@@ -54,14 +72,12 @@ void add_motions(const PreparedScene& p, std::vector<std::string>& terms) {
 }  // namespace
 
 std::vector<std::string> modelled_terms(const PreparedScene& p) {
-  std::vector<std::string> terms{
-      fmt::format("{} with three degrees of freedom each",
-                  counted(p.model.body_count, "rigid body", "rigid bodies")),
-      "contact: springs from the Young's moduli and sizes, dashpots from the damping ratio, never tensile",
-      "Coulomb friction with an elastic spring"};
+  std::vector<std::string> terms{fmt::format("{} with three degrees of freedom each",
+                                             counted(p.model.body_count, "rigid body", "rigid bodies"))};
+  add_contact(p, terms);
   if (p.scene.gravity != engine::Vec2{})
     terms.push_back(fmt::format("uniform gravity of {:.6g} m/s2", engine::norm(p.scene.gravity)));
-  add_fields(p.scene, terms);
+  add_fields(p, terms);
   add_drag(p.scene, terms);
   add_connections(p.scene, terms);
   add_motions(p, terms);
@@ -72,6 +88,7 @@ std::vector<std::string> missing_terms(const PreparedScene& p) {
   std::vector<std::string> terms{
       "deformation and breaking within a body: bodies are rigid, their elasticity acts at the contacts",
       "motion out of the plane"};
+  if (!p.model.has_contacts()) terms.emplace_back("contact and friction: nothing can touch");
   if (p.scene.gravity == engine::Vec2{}) terms.emplace_back("uniform gravity: switched off");
   const std::size_t charges = bodies_with(p.scene, &engine::Body::charge);
   if (charges > 0 && p.scene.fields.coulomb_constant == 0.0 &&

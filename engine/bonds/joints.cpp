@@ -39,6 +39,15 @@ double felt_inertia(const JointElement& j, const Model& model) {
   return 1.0 / (1.0 / model.inertia[j.a] + 1.0 / model.inertia[j.b]);
 }
 
+// A dashpot that is given acts on a weld's turning as on its anchors: c_r/k_r = c/k, as of a face whose
+// springs and dashpots stand side by side.
+void stiffen_turning(const Joint& joint, const Model& model, JointElement& j) {
+  j.rotational_stiffness = joint.rotational_stiffness;
+  j.rotational_damping =
+      joint.damping ? *joint.damping * j.rotational_stiffness / j.stiffness
+                    : 2.0 * joint.damping_ratio * std::sqrt(j.rotational_stiffness * felt_inertia(j, model));
+}
+
 JointElement compile_joint(const Joint& joint, const Model& model, std::span<const Frame> frames) {
   check(joint);
   JointElement j;
@@ -50,11 +59,7 @@ JointElement compile_joint(const Joint& joint, const Model& model, std::span<con
   j.stiffness = joint.stiffness;
   j.damping =
       joint.damping.value_or(2.0 * joint.damping_ratio * std::sqrt(j.stiffness * felt_mass(j, model)));
-  if (j.kind == JointKind::weld) {
-    j.rotational_stiffness = joint.rotational_stiffness;
-    j.rotational_damping =
-        2.0 * joint.damping_ratio * std::sqrt(j.rotational_stiffness * felt_inertia(j, model));
-  }
+  if (j.kind == JointKind::weld) stiffen_turning(joint, model, j);
   j.rest_angle = frames[j.b].angle - frames[j.a].angle;
   const double length = norm(frames[j.b].to_world(j.anchor_b) - frames[j.a].to_world(j.anchor_a));
   j.rest_length = joint.rest_length.value_or(length);

@@ -5,7 +5,7 @@
 //   distance, spring: F = (k (|u| - l0) + c |u|') u/|u|
 // F acts on a, -F on b, both at the midpoint of the anchors, so that angular momentum is kept whatever the
 // dashpot does. The springs have a potential. c = 2 xi sqrt(k m), m the mass that the joint feels along x and
-// y on average, unless given.
+// y on average, unless given; c_r = 2 xi sqrt(k_r I), 1/I = 1/I_a + 1/I_b, or c k_r/k where c is given.
 #pragma once
 
 #include <span>

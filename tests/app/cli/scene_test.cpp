@@ -1,4 +1,6 @@
 // Free scenes as a person meets them: check, run, draw, describe.
+#include <cmath>
+
 #include "app/report/hdf5.h"
 #include "tests/app/cli/program_test.h"
 
@@ -154,6 +156,31 @@ TEST_F(SceneCommand, DescribesScenesAndScenarios) {
   const Ran scenario = run({"describe", "b.toml", "--set", "duration=1 s"});
   EXPECT_EQ(scenario.exit_code, 0) << scenario.err;
   EXPECT_THAT(scenario.out, AllOf(HasSubstr("period"), HasSubstr("stability bound"), HasSubstr("cost")));
+}
+
+// 600 stars along a spiral; docs/theory/fields.md has 0.14 % for this angle.
+TEST_F(SceneCommand, ShowsWhatTheTreeCostsInAccuracy) {
+  std::string stars =
+      "gravity = \"none\"\n[solve]\nduration = \"0.01 s\"\n"
+      "[fields]\ngravitational_constant = \"1 m3/(kg s2)\"\nsoftening = \"0.1 m\"\n"
+      "opening_angle = 0.5\n";
+  for (int i = 0; i < 600; ++i)
+    stars +=
+        "[[body]]\nshape = \"circle\"\nradius = \"1 mm\"\nmass = \"1 kg\"\ncollides = false\nposition = [\"" +
+        std::to_string(0.4 * std::sqrt(i) * std::cos(2.4 * i)) + " m\", \"" +
+        std::to_string(0.4 * std::sqrt(i) * std::sin(2.4 * i)) + " m\"]\n";
+  write("s.toml", stars);
+  const auto said = HasSubstr("% of the direct sum's (rms of all 600 bodies, opening angle 0.5)");
+  EXPECT_THAT(run({"describe", "s.toml"}).out, AllOf(said, HasSubstr("gravitation, at the start")));
+  const Ran ran = run({"scene", "run", "s.toml", "--out", "out", "--set", "output.pictures=0"});
+  EXPECT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_THAT(ran.out, AllOf(said, HasSubstr("gravitation, at the end")));
+  const h5::Handle file = h5::open_file(folder() / "out/results.h5");
+  const auto error_in = [&](const char* name) {
+    return h5::read_numbers(h5::open_group(file, "tree"), name).at(0);
+  };
+  EXPECT_GT(error_in("force_error_at_start"), 1e-4);
+  EXPECT_LT(error_in("force_error_at_end"), 1e-2);
 }
 
 TEST_F(SceneCommand, NamesTheShippedRecordsForOneThatIsNot) {

@@ -10,6 +10,7 @@ namespace dougong::app::testing {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 std::string refusal(const std::vector<std::string>& words) {
   try {
@@ -47,6 +48,16 @@ TEST(Prepare, SettlingCanBeLeftOut) {
   const Preparation p = prepared_drum({"settle=false"});
   EXPECT_FALSE(p.settle.settled);
   EXPECT_EQ(p.settle.duration, 0.0);
+}
+
+TEST(Prepare, SaysWhenTheContactsDoNotReachARockingRestitution) {
+  const auto findings = [](const char* ratio) {
+    std::string all;
+    for (const structures::Finding& finding : prepared_drum({ratio}).findings) all += finding.message;
+    return all;
+  };
+  EXPECT_THAT(findings("rocking_restitution=0.01"), HasSubstr("out of the contact law's reach"));
+  EXPECT_THAT(findings("rocking_restitution=0.5"), Not(HasSubstr("reach")));
 }
 
 TEST(Prepare, RefusesAStepAboveTheBound) {

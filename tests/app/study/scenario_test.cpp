@@ -17,6 +17,7 @@ namespace {
 using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 using ::testing::SizeIs;
 using ::testing::StartsWith;
 
@@ -235,6 +236,14 @@ TEST(ScenarioErrors, AskForARecord) {
 TEST(ScenarioErrors, RefuseTwoThatExcludeEachOther) {
   EXPECT_THAT(errors("[record]\nfile = \"a\"\nname = \"b\"\n"), ElementsAre(HasSubstr("exclude each other")));
   EXPECT_THAT(errors("[record]\npga = \"1 g\"\nscale = 2\n"), ElementsAre(HasSubstr("exclude each other")));
+}
+
+TEST(ScenarioErrors, RefuseACornerOfAFilterThatIsSwitchedOff) {
+  const std::string off = "[record]\nname = \"kobe\"\n[conditioning]\nfilter = false\n";
+  EXPECT_THAT(errors(off + "low_pass = \"20 Hz\"\n"),
+              ElementsAre(HasSubstr("conditioning.low_pass: of the filter, which is switched off")));
+  EXPECT_THAT(errors(off + "filter_order = 6\n"), ElementsAre(HasSubstr("conditioning.filter_order")));
+  EXPECT_THAT(errors(off + "high_pass = \"0.1 Hz\"\nlow_pass = \"none\"\n"), IsEmpty());
 }
 
 TEST(ScenarioErrors, NameAFileThatIsNotThere) {

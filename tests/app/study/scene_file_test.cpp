@@ -112,6 +112,13 @@ parts = [
   { shape = "circle", radius = "0.1 m", position = ["0.31 m", "0.6 m"] },
 ]
 
+[[body]]
+name = "shelf"
+shape = "rectangle"
+width = "1 m"
+height = "0.5 m"
+position = ["9.5 m", "8.75 m"]
+
 [[terrain]]
 name = "ground"
 shape = "half-plane"
@@ -168,9 +175,9 @@ rest_length = "7 m"
 
 [[bond]]
 a = "stone"
-b = "body3"
-start = ["0 m", "1 m"]
-end = ["0.3 m", "1 m"]
+b = "shelf"
+start = ["9 m", "9 m"]
+end = ["10 m", "9 m"]
 tensile_strength = "2 MPa"
 cohesion = "1.3 MPa"
 fracture_energy = "80 J/m2"
@@ -435,6 +442,55 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{ball + "[output]\nbodies = [\"bal\"]\n", "output.bodies"},
         Wrong{ball + "[output]\nquantities = [\"sped\"]\n", "expected one of position"},
         Wrong{ball + "[output]\npictures = 2.5\n", "a whole number"}, Wrong{"this is no TOML", "s.toml:1:"}));
+
+// What nothing reads because of what stands beside it.
+const std::string moving = ball + "[[terrain]]\nshape = \"half-plane\"\n";
+const std::string bonded =
+    "[[body]]\nname = \"low\"\nshape = \"rectangle\"\nwidth = \"1 m\"\nheight = \"1 m\"\n"
+    "[[body]]\nname = \"high\"\nshape = \"rectangle\"\nwidth = \"1 m\"\nheight = \"1 m\"\n"
+    "position = [\"0 m\", \"1 m\"]\n[[bond]]\na = \"low\"\nb = \"high\"\n";
+const std::string on_the_face = bonded + "start = [\"-0.5 m\", \"0.5 m\"]\nend = [\"0.5 m\", \"0.5 m\"]\n";
+const std::string pinned = joint + "b = \"g\"\nat = [\"0 m\", \"0 m\"]\n";
+const std::string wall = "[[terrain]]\nname = \"g\"\nshape = \"half-plane\"\n";
+INSTANTIATE_TEST_SUITE_P(
+    OfWhatNothingReads, SceneMistakes,
+    testing::Values(
+        Wrong{moving + "motion = { table = \"t.csv\", pga = \"0.3 g\" }\n",
+              "s.toml:6:35: terrain.motion.pga of terrain1: belongs to a record"},
+        Wrong{moving + "motion = { harmonic = { frequency = \"2 Hz\" }, component = \"EW\" }\n",
+              "terrain.motion.component of terrain1: belongs to a record"},
+        Wrong{moving + "motion = { velocity = [\"1 m/s\", \"0 m/s\"], filter = false }\n",
+              "terrain.motion.filter of terrain1: belongs to a record"},
+        Wrong{moving + "motion = { record = \"kobe\", filter = false, low_pass = \"20 Hz\" }\n",
+              "terrain.motion.low_pass of terrain1: a corner of the filter, which is switched off"},
+        Wrong{moving + "motion = { record = \"kobe\", count_scale = \"1/2\" }\n",
+              "terrain.motion.count_scale of terrain1: needs units = \"counts\""},
+        Wrong{pinned + "rest_length = \"1 m\"\n" + wall,
+              "s.toml:9:15: joint.rest_length of joint1: does not belong to a pin"},
+        Wrong{pinned + "rotational_stiffness = \"1 kN m/rad\"\n" + wall,
+              "joint.rotational_stiffness of joint1: does not belong to a pin"},
+        Wrong{on_the_face + "fracture_energy = \"10 J/m2\"\n",
+              "bond.fracture_energy of bond1: needs a tensile_strength"},
+        Wrong{on_the_face +
+                  "fracture_energy = \"10 J/m2\"\ntensile_strength = \"2 MPa\"\nyield_strength = \"1 MPa\"\n",
+              "bond.fracture_energy of bond1: a bond that yields"},
+        Wrong{on_the_face + "tensile_strength = \"2 MPa\"\nyield_strength = \"3 MPa\"\n",
+              "bond.yield_strength of bond1: expected less than the tensile strength of 2 MPa, found 3 MPa"},
+        Wrong{on_the_face + "friction = 0.5\n", "bond.friction of bond1: needs a cohesion"},
+        Wrong{bonded + "start = [\"-0.5 m\", \"3 m\"]\nend = [\"0.5 m\", \"3 m\"]\n",
+              "bond.start of bond1: expected on the face of low, found 2.5 m from it"},
+        Wrong{bonded + "start = [\"-0.5 m\", \"0.5 m\"]\nend = [\"1.5 m\", \"0.5 m\"]\n",
+              "bond.end of bond1: expected on the face of high, found 1 m from it"},
+        Wrong{"[[material_pair]]\na = \"steel\"\nb = \"steel\"\n" + ball,
+              "material_pair.a: expected friction, damping_ratio"},
+        Wrong{"[[material_pair]]\na = \"steel\"\nb = \"ptfe\"\nfriction = 0.1\n"
+              "[[material_pair]]\na = \"ptfe\"\nb = \"steel\"\nfriction = 0.2\n" +
+                  ball,
+              "s.toml:6:5: material_pair.a: there already is a pair of ptfe and steel"},
+        Wrong{ball + "[contact]\npoint_stiffness = \"1 MN/m\"\n[solve]\nintegrator = \"moreau-jean\"\n",
+              "s.toml:5:19: contact.point_stiffness: of contact springs, which moreau-jean does not have"},
+        Wrong{"gravity = \"none\"\n" + ball + "[solve]\nsettle = true\n",
+              "solve.settle: bodies come to rest under gravity, found none"}));
 
 TEST(SceneErrors, NameAFolderAndAMissingFileAndAHugeOne) {
   EXPECT_THROW(load_scene("/"), ScenarioError);

@@ -12,6 +12,7 @@
 namespace dougong::app {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -138,6 +139,48 @@ TEST(SceneRun, SaysWhenOutputsMoveToTheMotionsSamples) {
                           HasSubstr("1.02 s are simulated instead of 1 s")));
 }
 
+TEST(SceneRun, SaysWhatMakesNoDifference) {
+  const auto findings = [](const std::string& text) { return prepared(text).findings; };
+  EXPECT_THAT(findings("[materials.basalt]\nfriction = 0.4\n" + box),
+              ElementsAre(HasSubstr("materials.basalt makes no difference: nothing is made of it")));
+  EXPECT_THAT(findings("[materials.rubber]\nyoung_modulus = \"3 MPa\"\n" + box +
+                       "[contact]\npoint_stiffness = \"1 MN/m\"\n"),
+              ElementsAre(HasSubstr("materials.rubber.young_modulus makes no difference: no spring")));
+  EXPECT_THAT(
+      findings("[materials.concrete]\nfriction = 0.4\n" + falling + "[contact]\ntangential_ratio = 1\n"),
+      ElementsAre(HasSubstr("nothing can touch"), HasSubstr("contact.tangential_ratio")));
+  EXPECT_THAT(findings(falling + "[fields]\nopening_angle = 0.5\nelectric_field = [\"1 V/m\", \"0 V/m\"]\n"),
+              ElementsAre(HasSubstr("fields.electric_field makes no difference: no body has a charge"),
+                          HasSubstr("with fewer than 512 bodies every pair is summed")));
+  EXPECT_THAT(findings(box + "motion = { harmonic = { frequency = \"2 Hz\" } }\n"),
+              ElementsAre(HasSubstr("motion of terrain floor makes no difference: it is at rest")));
+  EXPECT_THAT(findings(box + "[solve]\nintegrator = \"moreau-jean\"\nstep_fraction = 0.5\n"),
+              ElementsAre(HasSubstr("rigid contacts have no stability bound")));
+}
+
+// A dial beside a step or tolerance that stands in its place.
+TEST(SceneRun, RefusesAnAccuracyThatTurnsNothing) {
+  const std::string draft = box + "[solve]\naccuracy = \"draft\"\n";
+  EXPECT_THROW(prepared(draft + "tolerance = 1e-4\n"), std::invalid_argument);
+  EXPECT_THROW(prepared(draft + "integrator = \"rk4\"\nstep_fraction = 0.5\n"), std::invalid_argument);
+  EXPECT_THROW(prepared(draft + "integrator = \"rk8\"\ntolerance = 1e-9\n"), std::invalid_argument);
+  EXPECT_NO_THROW(prepared(draft + "integrator = \"rk4\"\n"));
+}
+
+// A block as broad as high: its own is 0.25, and an impact at the middle of its face gives 0.646.
+TEST(SceneRun, SaysWhichRockingRestitutionIsReachedInstead) {
+  const auto rocking = [](const std::string& ratio) {
+    return "[materials.rubber]\ndamping_ratio = 2\nrocking_restitution = " + ratio + "\n" + box +
+           "[solve]\nduration = \"10 ms\"\n";
+  };
+  const auto said =
+      AllOf(HasSubstr("box and floor: a rocking restitution of 1 is out of the contact law's reach"),
+            HasSubstr("of the spin"));
+  EXPECT_THAT(prepared(rocking("1")).findings, ElementsAre(said));
+  EXPECT_THAT(ran(rocking("1")).run.numerics.warnings, Contains(said));
+  EXPECT_THAT(prepared(rocking("0.6")).findings, testing::IsEmpty());
+}
+
 // Charges that nothing touches: a smooth motion, whose energy comes from their field.
 TEST(SceneRun, LetsBodiesPassThatDoNotCollideAndCountsTheirField) {
   const std::string charge =
@@ -251,12 +294,36 @@ accuracy = "reference"
   EXPECT_LT(height_with("1 kPa"), -1.0);  // it weighs 23.5 kPa
 }
 
+// What the springs hold at 1 MPa is 26.6 J/m2.
+TEST(SceneRun, SaysThatABondWithTooLittleFractureEnergyIsBrittle) {
+  const std::string two =
+      "[[body]]\nname = \"low\"\nshape = \"rectangle\"\nwidth = \"1 m\"\nheight = \"1 m\"\n"
+      "[[body]]\nname = \"high\"\nshape = \"rectangle\"\nwidth = \"1 m\"\nheight = \"1 m\"\n"
+      "position = [\"0 m\", \"1 m\"]\n[[bond]]\na = \"low\"\nb = \"high\"\n"
+      "start = [\"-0.5 m\", \"0.5 m\"]\nend = [\"0.5 m\", \"0.5 m\"]\n"
+      "tensile_strength = \"1 MPa\"\nnormal_stiffness = \"18.8 GPa/m\"\nfracture_energy = ";
+  EXPECT_THAT(prepared(two + "\"20 J/m2\"\n").findings,
+              ElementsAre(AllOf(HasSubstr("bond.bond1.fracture_energy"), HasSubstr("store 26.59"))));
+  EXPECT_THAT(prepared(two + "\"40 J/m2\"\n").findings, testing::IsEmpty());
+}
+
 TEST(SceneTerms, NameOnlyWhatTheSceneHas) {
   EXPECT_THAT(modelled_terms(prepared(falling)), Not(Contains(HasSubstr("gravitation"))));
   const PreparedScene p =
       prepared("gravity = \"none\"\n" + falling + "[fields]\ngravitational_constant = \"1 m3/(kg s2)\"\n");
   EXPECT_THAT(modelled_terms(p), Contains(HasSubstr("gravitation between all bodies, G = 1")));
   EXPECT_THAT(missing_terms(p), Contains(HasSubstr("uniform gravity: switched off")));
+}
+
+TEST(SceneTerms, KnowContactsOnlyWhereSomethingCanTouchAndOfWhichKind) {
+  EXPECT_THAT(modelled_terms(prepared(falling)), Not(Contains(HasSubstr("contact"))));
+  EXPECT_THAT(missing_terms(prepared(falling)),
+              Contains(HasSubstr("contact and friction: nothing can touch")));
+  EXPECT_THAT(modelled_terms(prepared(box)), Contains(HasSubstr("contact: springs from the Young's moduli")));
+  EXPECT_THAT(modelled_terms(prepared(box + "[contact]\npoint_stiffness = \"1 MN/m\"\n")),
+              Contains(HasSubstr("contact: springs of the stiffness that is given")));
+  EXPECT_THAT(modelled_terms(prepared(box + "[solve]\nintegrator = \"moreau-jean\"\n")),
+              Contains(HasSubstr("contact: rigid, impulses")));
 }
 
 TEST(SceneTerms, SayThatAChargeFeelsNothing) {

@@ -22,7 +22,7 @@ Comparison arch_thickness();                                           // C02
 Comparison tilting_arch();                                             // C03
 Comparison drum_column();                                              // C04
 Comparison stick_slip();                                               // C09
-Comparison brick_array(const Arguments& rate_and_restitution);         // M02
+Comparison brick_array(const Arguments& rate_restitution_step);        // M02
 Comparison granite_boulder(const Arguments& motions_and_block);        // M01
 Comparison rocking_restitution(const Arguments& settings_and_ratios);  // M04
 

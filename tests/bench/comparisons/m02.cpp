@@ -1,6 +1,6 @@
 // M02: the 81-brick graphite array on a shaking table.
 //
-//     comparisons M02 FOLDER [sweep rate in Hz/s] [restitution of a point]
+//     comparisons M02 FOLDER [sweep rate in Hz/s] [restitution of a point] [step as a part of the bound]
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -51,10 +51,11 @@ Comparison brick_array(const Arguments& arguments) {
   scenes::BrickArrayOptions options;
   options.key_stiffness = 0.01;
   if (arguments.size() > 1) options.restitution = std::stod(arguments[1]);
+  const double step_fraction = arguments.size() > 2 ? std::stod(arguments[2]) : 0.5;
   std::vector<std::string> names;
   for (const MeasuredBrick& brick : bricks) names.emplace_back(brick.name);
   const auto v = scenes::measured_velocities(scenes::brick_array(motion, options), *motion, names,
-                                             motion->end(), window);
+                                             motion->end(), window, step_fraction);
   Comparison comparison;
   comparison.table =
       "| brick | peak, measured (Hz) | peak, ours (Hz) | 4 Hz: measured / ours | 6 Hz | 7.5 Hz | 9.5 Hz |\n"

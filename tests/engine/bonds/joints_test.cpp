@@ -164,6 +164,28 @@ TEST(Weld, MakesTwoHalvesTurnAsOne) {
   EXPECT_NEAR(r.velocity(0).y + r.velocity(1).y, 1.0, 1e-12);
 }
 
+// Two halves that turn against each other, I w' = -2 (k_r phi + c_r w): c_r/k_r is c/k of the dashpot given.
+TEST(Weld, DampsItsTurningToo) {
+  constexpr double k = 1e6, turning_k = 1e4, c = 2e4, spin = 0.1, t = 0.3;
+  Scene s;
+  s.gravity = {};
+  for (const double sense : {1.0, -1.0}) {
+    s.bodies.push_back(scenes::block(0.5, 0.2, {0.0, 0.0}));
+    s.bodies.back().spin = sense * spin;
+  }
+  s.joints.push_back(joint(JointKind::weld, first, second, {}, {}, k));
+  s.joints[0].rotational_stiffness = turning_k, s.joints[0].damping = c;
+  Running r(s);
+  r.run(run_for(t, t, "rk4"));
+  const double inertia = 0.5 * 2400.0 * 0.4 * (1.0 + 0.16) / 12.0;
+  const double w = std::sqrt(turning_k / inertia), ratio = 0.5 * c * turning_k / k / (inertia * w);
+  const double damped = w * std::sqrt(1.0 - ratio * ratio);
+  const double expected =
+      spin * std::exp(-ratio * w * t) * (std::cos(damped * t) - ratio * w / damped * std::sin(damped * t));
+  EXPECT_NEAR(r.spin(0), expected, 1e-4 * spin);
+  EXPECT_NEAR(r.spin(1), -expected, 1e-4 * spin);
+}
+
 // Action and reaction at one place: linear and angular momentum of a free chain stay, dashpots or not.
 TEST(Joints, KeepMomentum) {
   Scene s;

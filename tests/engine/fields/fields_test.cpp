@@ -7,6 +7,7 @@
 #include <string>
 
 #include "engine/dynamics.h"
+#include "engine/fields/tree_error.h"
 #include "tests/engine/allocations.h"
 #include "tests/scenes/points.h"
 
@@ -147,6 +148,35 @@ TEST(Tree, ComesCloserToTheDirectSumTheNarrowerItsAngle) {
   check_ladder(s, "masses");
   s.fields = {0.0, 1.0, 0.02, 0.0, {}};
   check_ladder(s, "charges of both signs");
+}
+
+// What a run says of its tree: with every body compared the error of the ladder above; with picked ones near
+// it.
+TEST(TreeErrors, AreThoseOfTheForces) {
+  for (const int count : {1500, 4000}) {
+    Scene s = cloud(count);
+    s.fields = {1.0, 0.0, 0.02, 0.0, {}};
+    const auto exact = forces_of(Running(s));
+    s.fields.opening_angle = 0.5;
+    const Running r(s);
+    const auto errors = tree_errors(r.model.fields, frames_of(r.model, r.state));
+    ASSERT_EQ(errors.size(), 1u);
+    EXPECT_EQ(errors[0].field, "gravitation");
+    EXPECT_EQ(errors[0].bodies, r.bodies());
+    EXPECT_EQ(errors[0].compared, std::min(r.bodies(), most_compared));
+    const double error = relative_error(forces_of(r), exact);
+    EXPECT_NEAR(errors[0].relative, error, (r.bodies() > most_compared ? 0.3 : 1e-9) * error);
+  }
+}
+
+TEST(TreeErrors, AreNoneWhereEveryPairIsSummed) {
+  Scene s = cloud(600);
+  s.fields = {1.0, 0.0, 0.02, 0.0, {}};
+  const Running direct(s);
+  EXPECT_TRUE(tree_errors(direct.model.fields, frames_of(direct.model, direct.state)).empty());
+  s = cloud(100), s.fields.opening_angle = 0.5, s.fields.gravitational_constant = 1.0;
+  const Running few(s);
+  EXPECT_TRUE(tree_errors(few.model.fields, frames_of(few.model, few.state)).empty());
 }
 
 TEST(Tree, IsTheDirectSumForFewBodies) {
