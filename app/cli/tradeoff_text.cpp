@@ -25,7 +25,7 @@ std::string run_text(const JudgedTrial& trial) {
 
 std::string reference_text(const Tradeoff& t) {
   const Trial& reference = t.models.front().reference;
-  return fmt::format("{}, {:.3g} s of processor time; resolves {} (against one twice as coarse)",
+  return fmt::format("{}, {:.3g} s of processor time; resolves {} (against a coarser one)",
                      way_text(reference.way), reference.cpu, percent(t.resolution()));
 }
 
@@ -74,6 +74,7 @@ std::string finer_text(const Tradeoff& t, const JudgedTrial& best) {
                        percent(std::max(t.resolution(), t.chaotic() ? t.spread() : 0.0)));
   const auto finer = t.ten_times_better();
   if (!finer) return fmt::format("Ten times less error ({}): no run of this ladder has it.", percent(wanted));
+  if (*finer == *t.recommended()) return "Ten times less error: that run has it already.";
   return fmt::format("Ten times less error: {}, {:.2g} times the cost.", run_text(t.trials[*finer]),
                      t.trials[*finer].cpu_per_second() / best.cpu_per_second());
 }

@@ -79,9 +79,11 @@ std::string raised(int exponent) {
   for (const char c : std::to_string(std::abs(exponent))) text += digits[c - '0'];
   return text;
 }
-std::string decade_text(int exponent) {
-  if (exponent >= -3 && exponent <= 3) return fmt::format("{:g}", std::pow(10.0, exponent));
-  return "10" + raised(exponent);
+/// 1, 2 or 5 times a power of ten.
+std::string tic_text(double factor, int exponent) {
+  const double value = factor * std::pow(10.0, exponent);
+  if (exponent >= -3 && exponent <= 3) return fmt::format("{:g}", value);
+  return (factor == 1.0 ? "" : fmt::format("{:g} × ", factor)) + "10" + raised(exponent);
 }
 
 /// Decades, thinned when there are many; with 2 and 5 when there are few.
@@ -89,17 +91,12 @@ std::string tics(const char* axis, Range logs, bool may_be_fine) {
   const bool fine = may_be_fine && logs.span() < 2.5;
   const int stride = logs.span() > 9.0 ? 2 : 1;
   std::string list;
-  const auto add = [&](const std::string& text, double value) {
-    list += fmt::format("{}'{}' {:.9g}", list.empty() ? "" : ", ", text, value);
-  };
   for (int e = static_cast<int>(std::floor(logs.low)); e <= logs.high; ++e)
     for (const double factor : {1.0, 2.0, 5.0}) {
       const double value = factor * std::pow(10.0, e), at = std::log10(value);
-      if (at < logs.low - 1e-9 || at > logs.high + 1e-9 || e % stride != 0) continue;
-      if (factor == 1.0)
-        add(decade_text(e), value);
-      else if (fine)
-        add(fmt::format("{:g}", value), value);
+      const bool inside = at > logs.low - 1e-9 && at < logs.high + 1e-9;
+      if (!inside || e % stride != 0 || (factor != 1.0 && !fine)) continue;
+      list += fmt::format("{}'{}' {:.9g}", list.empty() ? "" : ", ", tic_text(factor, e), value);
     }
   return fmt::format("set {}tics ({})\n", axis, list);
 }
@@ -113,7 +110,6 @@ std::string frame(const Axes& a) {
          fmt::format("set xrange [{:.6g}:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\n", std::pow(10.0, a.x.low),
                      std::pow(10.0, a.x.high), std::pow(10.0, a.y.low), std::pow(10.0, a.y_top)) +
          tics("x", a.x, true) + tics("y", a.y, false) +
-         "set style textbox opaque fillcolor rgb 'white' noborder margins 0.3,0.1\n"
          "set xlabel 'Processor time per simulated second, c (s/s)'\n"
          "set ylabel 'Error of the motion, ε (-)' offset -0.5,0\n";
 }
@@ -163,13 +159,12 @@ std::string level(double error, const char* dashes, const Colour& colour) {
       error, dashes, to_hex(colour));
 }
 
+constexpr const char *dashed = "(6,4)", *dotted = "(1.5,3)";
+
 std::string levels(const Tradeoff& t, const Axes& a) {
-  std::string out = level(t.choice.target, "(6,4)", ink::quiet);
-  out += fmt::format("set label {} at graph 0.99, first {:.6g} right offset 0,0.6 front tc rgb '{}'\n",
-                     gnuplot_text("target " + significant(100.0 * t.choice.target, 2) + " %"),
-                     t.choice.target, to_hex(ink::quiet));
+  std::string out = level(t.choice.target, dashed, ink::quiet);
   for (const TradeoffModel& model : t.models)
-    if (model.error > 0.0) out += level(on_axis(a, model.error), "(1.5,3)", ink::pale);
+    if (model.error > 0.0) out += level(on_axis(a, model.error), dotted, ink::pale);
   return out;
 }
 
@@ -217,26 +212,18 @@ std::string plotted(const std::vector<Series>& all, Figure& figure) {
   return plot + "\n";
 }
 
-std::string circled(const JudgedTrial& trial, const Axes& a, const char* text, const Colour& colour,
-                    double lift) {
+std::string circled(const JudgedTrial& trial, const Axes& a, const Colour& colour) {
   if (!trial.completed()) return "";
-  return fmt::format(
-      "set label {} at {:.6g},{:.6g} left offset character 1.1,{} front boxed tc rgb '{}' point pt {} ps 2 "
-      "lw 1.6 "
-      "lc "
-      "rgb '{}'\n",
-      gnuplot_text(text), trial.cpu_per_second(), on_axis(a, trial.error), lift, to_hex(colour), ring,
-      to_hex(colour));
+  return fmt::format("set label '' at {:.6g},{:.6g} front point pt {} ps 2 lw 1.6 lc rgb '{}'\n",
+                     trial.cpu_per_second(), on_axis(a, trial.error), ring, to_hex(colour));
 }
+
+constexpr Colour own_ring = ink::outline, best_ring{0.83, 0.0, 0.0};
 
 std::string circles(const Tradeoff& t, const Axes& a) {
   const auto best = t.recommended();
-  std::string out;
-  if (best)
-    out += circled(t.trials[*best], a, *best == t.own ? "recommended, as it stands" : "recommended",
-                   ink::text, 0.7);
-  if (!best || *best != t.own) out += circled(t.trials[t.own], a, "as it stands", ink::quiet, -0.9);
-  return out;
+  const std::string own = circled(t.trials[t.own], a, own_ring);
+  return best ? own + circled(t.trials[*best], a, best_ring) : own;
 }
 
 // --- legend ------------------------------------------------------------------------------------------
@@ -247,6 +234,15 @@ class Legend {
     const double y = 1.0 - at_ / height;
     out_ += fmt::format("set label '' at screen {:.5f}, screen {:.5f} point pt {} ps 0.8 lc rgb '{}' front\n",
                         x(10.0), y, mark, to_hex(colour));
+    words(text, 22.0, ink::text);
+  }
+  void dash(const std::string& text, const char* dashes, const Colour& colour) {
+    const double y = 1.0 - at_ / height;
+    out_ += fmt::format(
+        "set arrow from screen {:.5f}, screen {:.5f} to screen {:.5f}, screen {:.5f} nohead dt {} lw 1 lc "
+        "rgb "
+        "'{}'\n",
+        x(3.0), y, x(17.0), y, dashes, to_hex(colour));
     words(text, 22.0, ink::text);
   }
   void heading(const std::string& text) {
@@ -279,26 +275,42 @@ std::vector<TradeoffModel> softest_first(std::vector<TradeoffModel> models) {
   return models;
 }
 
+void add_models(Legend& legend, const Tradeoff& t) {
+  if (t.models.size() < 2) return;
+  legend.heading("Contacts; error of the model");
+  for (const TradeoffModel& model : softest_first(t.models)) {
+    const std::string error = "; " + significant(100.0 * model.error, 2) + " % (dotted)";
+    legend.line(stiffness_text(model.stiffness) + (model.stiffness == 1.0 ? "" : error),
+                mark_of(model.stiffness), ink::quiet);
+  }
+}
+
+void add_choice(Legend& legend, const Tradeoff& t) {
+  legend.heading("Which to take");
+  legend.dash("target " + significant(100.0 * t.choice.target, 2) + " %", dashed, ink::quiet);
+  if (t.recommended()) legend.line("recommended", ring, best_ring);
+  legend.line("as the scene stands", ring, own_ring);
+}
+
+void add_failures(Legend& legend, const Tradeoff& t) {
+  const auto count = [&](TrialStatus status) {
+    return std::ranges::count(t.trials, status, &JudgedTrial::status);
+  };
+  const auto dear = count(TrialStatus::not_run),
+             failed = count(TrialStatus::failed) + count(TrialStatus::refused);
+  if (dear + failed == 0) return;
+  legend.heading("No answer");
+  if (failed > 0) legend.line("refused or failed", cross, ink::quiet);
+  if (dear > 0) legend.line("too dear, not finished", ring, ink::quiet);
+}
+
 std::string legend(const Tradeoff& t) {
   Legend legend;
   legend.heading("Integrator");
-  for (const std::string& name : integrators_of(t)) legend.line(name, 7, colour_of(name));
-  if (t.models.size() > 1) {
-    legend.heading("Contacts; error of the model");
-    for (const TradeoffModel& model : softest_first(t.models))
-      legend.line(
-          stiffness_text(model.stiffness) +
-              (model.stiffness == 1.0 ? "" : "; " + significant(100.0 * model.error, 2) + " % (dotted)"),
-          mark_of(model.stiffness), ink::quiet);
-  }
-  const auto any = [&](TrialStatus status) {
-    return std::ranges::any_of(t.trials, [&](const auto& trial) { return trial.status == status; });
-  };
-  if (any(TrialStatus::failed) || any(TrialStatus::refused) || any(TrialStatus::not_run))
-    legend.heading("No answer");
-  if (any(TrialStatus::failed) || any(TrialStatus::refused))
-    legend.line("refused or failed", cross, ink::quiet);
-  if (any(TrialStatus::not_run)) legend.line("too dear, not finished", ring, ink::quiet);
+  for (const std::string& name : integrators_of(t)) legend.line(name, mark_of(1.0), colour_of(name));
+  add_models(legend, t);
+  add_choice(legend, t);
+  add_failures(legend, t);
   return legend.script();
 }
 

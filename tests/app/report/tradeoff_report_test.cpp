@@ -78,8 +78,9 @@ TEST(TradeoffFigure, ShowsEveryRun) {
   std::size_t points = 0;
   for (const auto& [name, data] : figure.data) points += lines_of(data).size();
   EXPECT_EQ(points, sample().trials.size()) << "failures and what was too dear among them";
-  EXPECT_THAT(figure.script, AllOf(HasSubstr("a block''s fall"), HasSubstr("'failed'"), HasSubstr("target 1"),
-                                   HasSubstr("recommended"), HasSubstr("as it stands"), HasSubstr("x 10")));
+  EXPECT_THAT(figure.script,
+              AllOf(HasSubstr("a block''s fall"), HasSubstr("'failed'"), HasSubstr("target 1"),
+                    HasSubstr("recommended"), HasSubstr("as the scene stands"), HasSubstr("x 10")));
 }
 
 TEST(TradeoffFigure, HasABandWhereTheMotionIsChaotic) {
