@@ -52,8 +52,8 @@ class Comparison {
     variants_.push_back({1.0, prepared(description, records), {}});
     yardstick_ = yardstick_for(own_scene().model, out_.choice.measure, out_.choice.bodies);
     LadderChoice& ladder = out_.choice.ladder;
+    if (ladder.integrators.empty()) note_left_out(own_scene().model);
     ladder = completed(ladder, own_scene());
-    note_left_out(own_scene().model);
     for (const double stiffness : ladder.stiffnesses)
       if (stiffness != 1.0) add_variant(stiffness, description, records);
     for (Variant& variant : variants_) variant.ways = ladder_of(ladder, variant.stiffness, variant.scene);

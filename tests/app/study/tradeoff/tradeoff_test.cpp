@@ -9,8 +9,10 @@
 namespace dougong::app {
 namespace {
 
-using ::testing::Each;
+using ::testing::Contains;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 // --- which run to take ------------------------------------------------------------------------------
 
@@ -107,6 +109,15 @@ TEST(Tradeoff, MeasuresByAReferenceThatIsFinerThanAnyRun) {
   for (const JudgedTrial& trial : t.trials) EXPECT_GT(trial.error, t.resolution());
   EXPECT_EQ(t.models.size(), 1u);
   EXPECT_NEAR(t.motion, 2.0, 0.01) << "from periapsis 0.7 to apoapsis 1.3";
+}
+
+TEST(Tradeoff, SaysWhichIntegratorsDoNotApplyUnlessTheyWereChosen) {
+  const Tradeoff all = traded(orbit, with({}, {0.1})), chosen = traded(orbit, with({"rk4"}, {0.1}));
+  EXPECT_THAT(all.left_out, ElementsAre("moreau-jean: nothing touches"));
+  EXPECT_THAT(all.trials, Not(Contains(::testing::Truly([](const JudgedTrial& t) {
+                return t.way.solve.integrator == "moreau-jean";
+              }))));
+  EXPECT_TRUE(chosen.left_out.empty());
 }
 
 TEST(Tradeoff, KeepsWhatIsRefused) {
