@@ -69,9 +69,9 @@ std::string own_text(const Tradeoff& t, const JudgedTrial* best) {
 
 std::string finer_text(const Tradeoff& t, const JudgedTrial& best) {
   const double wanted = 0.1 * t.target();
-  if (wanted < t.resolution() || (t.chaotic() && wanted < t.spread()))
+  if (wanted < t.least_known())
     return fmt::format("Ten times less error cannot be told here: {} is the limit.",
-                       percent(std::max(t.resolution(), t.chaotic() ? t.spread() : 0.0)));
+                       percent(t.least_known()));
   const auto finer = t.ten_times_better();
   if (!finer) return fmt::format("Ten times less error ({}): no run of this ladder has it.", percent(wanted));
   if (*finer == *t.recommended()) return "Ten times less error: that run has it already.";

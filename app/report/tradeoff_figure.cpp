@@ -16,7 +16,7 @@ namespace {
 constexpr int width = 900, height = 560, left = 84, right = 226, top = 66, bottom = 58;  // px
 constexpr double plot_width = width - left - right, plot_height = height - top - bottom;
 constexpr double failure_room = 0.09;  // of the height: the strip of crosses
-constexpr double line_height = 18.0;   // px, of the legend
+constexpr double line_height = 17.0;   // px, of the legend
 constexpr double least_error = 1e-16;  // of doubles: what is nearer lies on the axis
 
 // Gray and brown continue Okabe and Ito's seven.
@@ -34,7 +34,7 @@ int mark_of(double stiffness) {
   if (stiffness == rigid) return square;
   return stiffness == 1.0 ? disc : stiffness < 1.0 ? down : up;
 }
-constexpr int cross = 2, ring = 6;
+constexpr int cross = 2, ring = 6, filled_square = 5;
 
 // --- axes --------------------------------------------------------------------------------------------
 
@@ -120,26 +120,19 @@ double on_axis(const Axes& a, double error) {
   return std::pow(10.0, std::clamp(std::log10(std::max(error, least_error)), a.y.low, a.y.high));
 }
 
-/// From the bottom to an error, with its meaning written under its upper edge.
-std::string band(const Axes& a, double error, const char* fill, const std::string& meaning, int tag) {
-  const double upper = on_axis(a, error);
-  const bool has_room = std::log10(upper) - a.y.low > 0.045 * a.y.span();
+constexpr const char *spread_fill = "#fbe3b0", *unresolved_fill = "#e4e4e4";
+
+/// From the bottom to an error.
+std::string band(const Axes& a, double error, const char* fill, int tag) {
   return fmt::format(
-             "set object {} rectangle from graph 0, first {:.6g} to graph 1, first {:.6g} behind fc rgb "
-             "'{}' fs solid noborder\n",
-             tag, std::pow(10.0, a.y.low), upper, fill) +
-         fmt::format("set label {} at graph 0.012, first {:.6g} left offset 0,{} front tc rgb '{}'\n",
-                     gnuplot_text(meaning), upper, has_room ? -0.75 : 0.7, to_hex(ink::quiet));
+      "set object {} rectangle from graph 0, first {:.6g} to graph 1, first {:.6g} behind fc rgb '{}' fs "
+      "solid noborder\n",
+      tag, std::pow(10.0, a.y.low), on_axis(a, error), fill);
 }
 
 std::string bands(const Tradeoff& t, const Axes& a) {
-  std::string out;
-  if (t.chaotic())
-    out += band(a, t.spread(), "#fdf0d5",
-                fmt::format("spread of {} runs that began within 10{}: less error buys nothing",
-                            t.ensemble.differences.size(), raised(-6)),
-                1);
-  return out + band(a, t.resolution(), "#ececec", "below what the reference resolves", 2);
+  const std::string unresolved = band(a, t.resolution(), unresolved_fill, 2);
+  return t.chaotic() ? band(a, t.spread(), spread_fill, 1) + unresolved : unresolved;
 }
 
 std::string strip(const Tradeoff& t, const Axes& a) {
@@ -292,6 +285,14 @@ void add_choice(Legend& legend, const Tradeoff& t) {
   legend.line("as the scene stands", ring, own_ring);
 }
 
+void add_bands(Legend& legend, const Tradeoff& t) {
+  legend.heading("Errors that are not told apart");
+  if (t.chaotic())
+    legend.line(fmt::format("spread of {} runs begun alike", t.ensemble.differences.size()), filled_square,
+                from_hex(spread_fill));
+  legend.line("below the reference's own", filled_square, from_hex(unresolved_fill));
+}
+
 void add_failures(Legend& legend, const Tradeoff& t) {
   const auto count = [&](TrialStatus status) {
     return std::ranges::count(t.trials, status, &JudgedTrial::status);
@@ -310,6 +311,7 @@ std::string legend(const Tradeoff& t) {
   for (const std::string& name : integrators_of(t)) legend.line(name, mark_of(1.0), colour_of(name));
   add_models(legend, t);
   add_choice(legend, t);
+  add_bands(legend, t);
   add_failures(legend, t);
   return legend.script();
 }

@@ -2,8 +2,8 @@
 //
 // A coarse run may come near the reference by luck, so every finer run of its series (integrator and
 // stiffness) must be within the target too. The target is the one asked for, unless the motion or the
-// reference knows less: below the spread of a chaotic motion, and below what the reference resolves, nothing
-// is gained.
+// reference knows less: below twice the spread of a chaotic motion, and below what the reference resolves,
+// nothing is gained.
 #pragma once
 
 #include <optional>

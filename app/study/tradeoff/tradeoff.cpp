@@ -203,14 +203,13 @@ bool Tradeoff::chaotic() const {
   return spread() > parted * ensemble.perturbation;
 }
 
-double Tradeoff::target() const {
-  return std::max({choice.target, resolution(), chaotic() ? spread() : 0.0});
+double Tradeoff::least_known() const {
+  return std::max(resolution(), chaotic() ? 2.0 * spread() : 0.0);
 }
 
 std::optional<std::size_t> Tradeoff::ten_times_better() const {
   const double wanted = 0.1 * target();
-  const bool known = wanted >= resolution() && !(chaotic() && wanted < spread());
-  return known ? cheapest_within(wanted, trials) : std::nullopt;
+  return wanted < least_known() ? std::nullopt : cheapest_within(wanted, trials);
 }
 
 Tradeoff run_tradeoff(const SceneDescription& description, const fs::path& records_directory,

@@ -7,6 +7,9 @@
 // Nothing is dropped: a run that is refused, fails or is too dear is in the list, with its reason.
 #pragma once
 
+#include <algorithm>
+#include <stdexcept>
+
 #include "app/study/tradeoff/knee.h"
 #include "app/study/tradeoff/reference.h"
 
@@ -45,8 +48,11 @@ struct Tradeoff {
   /// Whether what began alike has parted by a thousand times as much.
   bool chaotic() const;
   double resolution() const { return models.front().resolution; }
-  /// The error that is asked for, or the least there is.
-  double target() const;
+  /// The least error that can be told: what the reference resolves, and of a chaotic motion twice the spread,
+  /// since run and reference are two of its members.
+  double least_known() const;
+  /// The error that is asked for, or the least that can be told.
+  double target() const { return std::max(choice.target, least_known()); }
   std::optional<std::size_t> recommended() const { return cheapest_within(target(), trials); }
   std::optional<std::size_t> ten_times_better() const;
 };
