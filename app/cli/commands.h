@@ -62,6 +62,17 @@ int scene_check_command(const SceneOptions& options);
 int scene_run_command(const SceneOptions& options);
 int scene_draw_command(const SceneOptions& options);
 
+struct TradeoffOptions {
+  std::string file;
+  std::string out;               // folder; empty: FILE-tradeoff in the current folder
+  std::vector<std::string> set;  // key=value
+  std::vector<std::string> integrators, steps, tolerances, stiffnesses, bodies;
+  std::string target, budget, measure, members;
+  bool force = false;
+};
+/// Error against cost of a scene, over integrators, steps and contact stiffnesses.
+int tradeoff_command(const TradeoffOptions& options);
+
 struct DescribeOptions {
   std::string file;
   std::vector<std::string> set;  // key=value

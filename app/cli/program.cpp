@@ -32,6 +32,7 @@ struct Request {
   RecordInfoOptions record;
   ReportOptions report;
   SceneOptions scene;
+  TradeoffOptions tradeoff;
   DescribeOptions describe;
   SpaceOptions space;
   std::function<int()> command;
@@ -134,6 +135,38 @@ void add_scene(CLI::App& app, Request& r) {
   draw->footer("Example: dougong scene draw pendulum.toml --out pendulum.svg");
 }
 
+void add_list(CLI::App& app, const char* name, std::vector<std::string>& values, const char* meaning) {
+  app.add_option(name, values, meaning)->delimiter(',')->take_all()->allow_extra_args(false);
+}
+
+void add_tradeoff(CLI::App& app, Request& r) {
+  CLI::App* command = app.add_subcommand(
+      "tradeoff", "Error against cost of a scene: integrators, steps and contact stiffnesses");
+  TradeoffOptions& o = r.tradeoff;
+  command->add_option("file", o.file, "Scene file (TOML, docs/scene.md)")->required();
+  add_set(*command, o.set, "key=value of the scene");
+  command->add_option("--out", o.out, "Folder for the results (FILE-tradeoff)");
+  command->add_flag("--force", o.force, "Write into a folder that already holds something");
+  add_list(*command, "--integrators", o.integrators, "By name, with commas between (all that apply)");
+  add_list(
+      *command, "--steps", o.steps,
+      "Parts of the stability bound (0.9,0.5,0.25,0.1; where nothing touches 0.5,0.2,0.1,0.05,0.02,0.01)");
+  add_list(*command, "--tolerances", o.tolerances, "Of adaptive integrators (1e-4,1e-6,1e-8,1e-10)");
+  add_list(*command, "--stiffness", o.stiffnesses,
+           "Factors on every Young's modulus beside 1 (0.1,1,10 where only contacts are elastic, else 1)");
+  add_list(*command, "--body", o.bodies, "Bodies that are compared (all)");
+  command->add_option("--measure", o.measure, "Of the distance of two runs: rms, largest, end (rms)");
+  command->add_option("--target", o.target, "Error that is good enough (1 %)");
+  command->add_option("--budget", o.budget, "Processor time of a run; a reference has ten times it (20 s)");
+  command->add_option("--ensemble", o.members, "Runs that show how sensitive the motion is (8)");
+  command->footer(
+      "Writes tradeoff.csv, tradeoff.png, tradeoff.svg and scene.toml. What it measures, and what was found\n"
+      "with it: docs/accuracy.md.\n"
+      "Exit codes: 0 done, 20 no reference could be computed, 30 interrupted, 2 bad input.\n"
+      "Example: dougong tradeoff app/examples/rocking-block.toml --out out/rocking");
+  command->callback([&r] { r.command = [&r] { return tradeoff_command(r.tradeoff); }; });
+}
+
 void add_describe(CLI::App& app, Request& r) {
   CLI::App* describe =
       app.add_subcommand("describe", "What a scene or scenario would model, its step and its cost");
@@ -181,6 +214,7 @@ void describe_program(CLI::App& app, Request& r) {
   add_records(app, r);
   add_report(app, r);
   add_scene(app, r);
+  add_tradeoff(app, r);
   add_describe(app, r);
   add_space(app, r);
 }

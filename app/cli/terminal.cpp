@@ -61,6 +61,10 @@ std::string describe(const SceneProgress& p) {
                      p.fastest, 100.0 * p.energy_error);
 }
 
+std::string describe(const TradeoffProgress& p) {
+  return fmt::format("{} of {}: {}", p.done + 1, p.total, p.now);
+}
+
 }  // namespace
 
 Terminal::Terminal(std::FILE* stream)
@@ -95,11 +99,16 @@ void Terminal::progress(const SceneProgress& p) {
   show_progress(p.time, p.end_time, describe(p));
 }
 
+void Terminal::progress(const TradeoffProgress& p) {
+  const double total = static_cast<double>(std::max<std::size_t>(p.total, 1));
+  show_progress(std::min(static_cast<double>(p.done) + p.part, total), total, describe(p));
+}
+
 void Terminal::show_progress(double time, double end_time, const std::string& text) {
   const double fraction = end_time > 0.0 ? time / end_time : 1.0;
   if (interactive_) return update_line(fraction, text);
   const int tenth = static_cast<int>(10.0 * fraction);
-  if (tenth == last_tenth_) return;
+  if (tenth <= last_tenth_) return;
   last_tenth_ = tenth;
   write(fmt::format("  {:3d} %  {}\n", 10 * tenth, text));
 }
@@ -115,6 +124,7 @@ void Terminal::update_line(double fraction, const std::string& text) {
 void Terminal::end_progress() {
   if (open_line_) write("\n");
   open_line_ = false;
+  last_tenth_ = -1;
 }
 
 }  // namespace dougong::app

@@ -7,6 +7,7 @@
 
 #include "app/study/execute.h"
 #include "app/study/scene_run.h"
+#include "app/study/tradeoff/tradeoff.h"
 
 namespace dougong::app {
 
@@ -21,6 +22,7 @@ class Terminal {
   /// One line that replaces the last; only on a terminal, else one line every tenth of the run.
   void progress(const Progress& progress);
   void progress(const SceneProgress& progress);
+  void progress(const TradeoffProgress& progress);
   void end_progress();
 
  private:

@@ -29,7 +29,7 @@ double estimated_cost(const engine::Model& model, const engine::State& state,
   options.end_time = options.output_interval = std::min(duration, trial_steps(drive) * plan.step);
   const Stopwatch watch;
   const engine::RunOutcome run = engine::drive(model, trial, options, {});
-  return run.end_time > 0.0 ? watch.wall() / run.end_time * duration : 0.0;
+  return run.end_time > 0.0 ? watch.cpu() / run.end_time * duration : 0.0;
 }
 
 void refuse_too_much_output(double samples, double values, std::size_t bodies) {

@@ -121,6 +121,7 @@ struct Numerics {
   double step = 0.0;   // s, smallest used
   double bound = 0.0;  // s, stability bound of that integrator for this scene
   std::size_t steps = 0;
+  std::size_t evaluations = 0;  // of the forces; only in memory
   std::size_t step_reductions = 0;
   std::string outcome;  // "completed", "diverged", "stopped by criterion", "interrupted"
   std::string outcome_detail;

@@ -82,6 +82,7 @@ Numerics numerics_of(const engine::Model& model, const engine::State& state,
   n.step = run.smallest_step;
   n.bound = run.bound;
   n.steps = run.steps;
+  n.evaluations = run.evaluations;
   n.step_reductions = run.step_reductions;
   n.outcome = to_string(run.outcome);
   n.outcome_detail = run.detail;

@@ -144,7 +144,8 @@ class SceneRecorder {
 
 std::string number_trouble(const SceneResult& r, const engine::RunOutcome& run) {
   const structures::VerdictCriteria limits;
-  if (run.outcome == engine::Outcome::diverged) return run.detail;
+  if (run.outcome == engine::Outcome::diverged || run.outcome == engine::Outcome::step_too_large)
+    return run.detail;
   const double error = r.run.energy.relative_error, overlap = r.run.numerics.deepest_overlap_ratio;
   if (!(error <= limits.energy_error))
     return fmt::format("the energy error is {:.2g} % of the energy turned over; at most {:.2g} % are trusted",
@@ -215,6 +216,13 @@ PreparedScene check_scene(const SceneDescription& description,
   p.highest_frequency = highest_frequency(p);
   p.findings = findings_of(p);
   p.tree_errors = tree_errors_now(p);
+  return p;
+}
+
+PreparedScene integrated_by(PreparedScene p, const IntegrationChoice& choice) {
+  static_cast<IntegrationChoice&>(p.description.solve) = choice;
+  choose_drive(p);
+  p.plan = engine::plan_steps(p.model, p.state, p.drive);
   return p;
 }
 

@@ -36,6 +36,10 @@ PreparedScene prepare_scene(const SceneDescription& description,
 PreparedScene check_scene(const SceneDescription& description,
                           const std::filesystem::path& records_directory);
 
+/// The same scene from the same start, integrated in another way; an unstable step is found out by the run.
+/// Throws std::invalid_argument.
+PreparedScene integrated_by(PreparedScene scene, const IntegrationChoice& choice);
+
 /// Heads and reasons: "uniform gravity of 9.80665 m/s2".
 std::vector<std::string> modelled_terms(const PreparedScene& scene);
 std::vector<std::string> missing_terms(const PreparedScene& scene);

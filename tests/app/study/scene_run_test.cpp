@@ -123,6 +123,18 @@ TEST(SceneRun, RefusesARockingRestitutionThatRigidContactsDoNotKnow) {
                std::invalid_argument);
 }
 
+// A vibration under explicit Euler: prepare_scene() refuses it, and who gets past it is told so.
+TEST(SceneRun, IsNotValidWithoutAStableStep) {
+  const std::string charge =
+      "[[body]]\nshape = \"circle\"\nradius = \"0.1 m\"\nmass = \"1 kg\"\ncollides = false\n";
+  const PreparedScene p = prepared(charge + "position = [\"1 m\", \"0 m\"]\n" + charge +
+                                   "[fields]\ngravitational_constant = \"1 m3/(kg s2)\"\n");
+  PreparedScene euler = integrated_by(p, {"explicit-euler", "standard", {}, {}, {}});
+  const SceneResult r = run_scene(euler, "");
+  EXPECT_FALSE(r.valid);
+  EXPECT_THAT(r.reason, HasSubstr("no stable step"));
+}
+
 TEST(SceneRun, SaysWhatOverlapsAtTheStart) {
   EXPECT_TRUE(prepared(box).findings.empty());
   SceneDescription d = scene(box);
