@@ -66,6 +66,7 @@ std::string choose_integration(const IntegrationChoice& choice, const engine::Mo
   options.step_fraction = choice.step_fraction.value_or(options.step_fraction);
   if (!automatic) options.tolerance = choice.tolerance.value_or(options.tolerance);
   options.step = choice.step;
+  options.threads = static_cast<std::size_t>(choice.threads);
   return automatic ? explained(chosen, choice) : "";
 }
 

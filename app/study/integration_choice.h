@@ -17,6 +17,7 @@ struct IntegrationChoice {
   std::optional<double> step_fraction;  // of the stability bound, instead of accuracy's
   std::optional<double> step;           // s, instead of both
   std::optional<double> tolerance;      // of an integrator that chooses its own step
+  double threads = 1;                   // that share every step
 };
 
 /// "automatic" and the integrators by name.

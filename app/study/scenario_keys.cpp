@@ -96,6 +96,8 @@ std::vector<ScenarioKey> make_table() {
              "time step, instead of both; refused above the stability bound"),
       number("solve.tolerance", slot<&S::solve, &V::tolerance>, ratio, 1e-15, 1,
              "of an integrator that chooses its own step"),
+      number("solve.threads", slot<&S::solve, &V::threads>, count, 1, 256,
+             "threads that share every step, worth it above some thousand blocks; the results are the same"),
       number("solve.duration", slot<&S::solve, &V::duration>, time, tiny, 1e5,
              "simulated time; none: the motion and solve.free_vibration"),
       number("solve.free_vibration", slot<&S::solve, &V::free_vibration>, time, 0, 1e4,

@@ -287,6 +287,9 @@ std::vector<Key<SceneSolve>> solve_keys() {
                 "time step, instead of both; refused above the stability bound"),
       number<S>("tolerance", AT(S, tolerance), ratio, 1e-15, 1,
                 "of an integrator that chooses its own step; with an automatic one instead of accuracy"),
+      number<S>(
+          "threads", AT(S, threads), count, 1, 256,
+          "threads that share every step, worth it above some thousand bodies; the results are the same"),
       {{.name = "settle", .meaning = "come to rest under gravity before the motion", .choices = {}},
        AT(S, settle)},
   };
