@@ -22,11 +22,17 @@ inline void alternate(std::vector<Contestant>& contestants, int rounds) {
     for (Contestant& c : contestants) c.least = std::min(c.least, c.cost());
 }
 
-/// As Markdown, each against the first.
-inline void print_table(const std::vector<Contestant>& contestants, const char* heading) {
-  std::printf("| %s | us per step | of the first |\n|---|---|---|\n", heading);
-  for (const Contestant& c : contestants)
-    std::printf("| %s | %.4g | %.3f |\n", c.name.c_str(), c.least, c.least / contestants.front().least);
+enum class Against { first, before };
+
+/// As Markdown: the costs, and how many times that of the first, or of the one before, each is.
+inline void print_table(const std::vector<Contestant>& contestants, const char* heading, Against against) {
+  std::printf("| %s | us per step | of the %s |\n|---|---|---|\n", heading,
+              against == Against::first ? "first" : "one before");
+  const Contestant* reference = &contestants.front();
+  for (const Contestant& c : contestants) {
+    std::printf("| %s | %.4g | %.3f |\n", c.name.c_str(), c.least, c.least / reference->least);
+    if (against == Against::before) reference = &c;
+  }
 }
 
 }  // namespace dougong::bench

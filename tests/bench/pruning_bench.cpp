@@ -28,7 +28,6 @@ struct Film {
   engine::State start;
   std::vector<Poses> poses;  // step by step
   double step = 0.0;         // s
-  double step_cost = 0.0;    // us, of a step of the engine, contacts and all
   double width() const { return model.minimum_width[0]; }
   double margin() const { return margin_ratio * width(); }
 };
@@ -39,10 +38,11 @@ Film filmed(double amplitude, std::size_t steps) {
   options.step_fraction = 0.9;
   const double step = engine::plan_steps(wall.model, wall.settled, options).step;
   options.output_interval = step, options.end_time = shaken_before + static_cast<double>(steps) * step;
-  Film film{wall.model, wall.settled, {}, step, 0.0};
+  Film film{wall.model, wall.settled, {}, step};
   engine::drive(wall.model, wall.settled, options, [&](const engine::Sample& sample) {
-    if (sample.state.time <= shaken_before) film.start = sample.state;
-    if (sample.state.time > shaken_before) film.poses.push_back(engine::frames_of(film.model, sample.state));
+    const double since = sample.state.time - shaken_before;
+    if (std::abs(since) <= 0.5 * step) film.start = sample.state;
+    if (since > 0.5 * step) film.poses.push_back(engine::frames_of(film.model, sample.state));
     return engine::Wish::go_on;
   });
   return film;
@@ -148,7 +148,7 @@ void compare(int rounds, double amplitude, std::size_t steps) {
   alternate(searches, rounds);
   std::printf("S1 at %.3g g, %zu steps of %.3g us from %.3g s on, least of %d rounds.\n\n", amplitude,
               film.poses.size(), 1e6 * film.step, shaken_before, rounds);
-  print_table(searches, "finding contacts");
+  print_table(searches, "finding contacts", Against::before);
 }
 
 }  // namespace

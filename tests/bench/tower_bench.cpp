@@ -44,8 +44,8 @@ void shake(benchmark::State& bench, const char* integrator) {
   bench.counters["s_per_simulated_s"] = cost.per_simulated_second();
   bench.counters["us_per_step"] = 1e6 * cost.per_step();
   bench.counters["step_us"] = 1e6 * cost.run.step;
-  bench.counters["greatest_mm"] = 1e3 * greatest;
-  bench.counters["residual_mm"] = 1e3 * residual;
+  bench.counters["greatest_m"] = greatest;
+  bench.counters["residual_m"] = residual;
   bench.counters["fallen"] = fallen;
   bench.counters["completed"] = cost.run.outcome == engine::Outcome::completed ? 1.0 : 0.0;
 }
