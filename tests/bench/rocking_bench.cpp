@@ -92,6 +92,15 @@ SmallBlockErrors errors_of(const oracles::RockingBlock& block, double amplitude,
   return errors;
 }
 
+void report(benchmark::State& bench, const SmallBlockErrors& errors, double cost) {
+  const bool accurate =
+      errors.quarter_period <= quarter_period_goal && errors.energy_ratio <= energy_ratio_goal;
+  bench.counters["quarter_period_percent"] = errors.quarter_period;
+  bench.counters["energy_ratio_percent"] = errors.energy_ratio;
+  bench.counters["s_per_simulated_s"] = cost;
+  bench.counters["goal"] = accurate && cost <= cost_goal ? 1.0 : 0.0;
+}
+
 // Arguments: step in hundredths of the bound, damping ratio in hundredths, Young's modulus in MPa.
 void small_block(benchmark::State& bench, const char* integrator) {
   const oracles::RockingBlock block{0.2, 0.6, 9.81};
@@ -108,12 +117,7 @@ void small_block(benchmark::State& bench, const char* integrator) {
     cost = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC / running.state.time;
     errors = errors_of(block, amplitude, measured);
   }
-  const bool accurate =
-      errors.quarter_period <= quarter_period_goal && errors.energy_ratio <= energy_ratio_goal;
-  bench.counters["quarter_period_percent"] = errors.quarter_period;
-  bench.counters["energy_ratio_percent"] = errors.energy_ratio;
-  bench.counters["s_per_simulated_s"] = cost;
-  bench.counters["goal"] = accurate && cost <= cost_goal ? 1.0 : 0.0;
+  report(bench, errors, cost);
 }
 
 void cheap_settings(benchmark::internal::Benchmark* bench) {

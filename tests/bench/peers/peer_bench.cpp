@@ -143,39 +143,56 @@ struct Duel {
   engine::RunOutcome run;
 };
 
+double settle(SteppedPeer& peer, Watch& watch) {
+  peer.stand(settling_time);
+  watch.note_settled();
+  return peer.cpu() / settling_time;
+}
+
+double settle(scenes::Running& own, Watch& watch) {
+  const double start = cpu_seconds();
+  const engine::SettleReport report = engine::settle(own.model, own.state);
+  watch.note_settled();
+  return (cpu_seconds() - start) / report.duration;
+}
+
+engine::DriveOptions options_for(const Settings& settings, const char* integrator) {
+  engine::DriveOptions options =
+      scenes::run_for(settings.cycles / frequency + quiet_time, output_interval, integrator);
+  options.step_fraction = step_fraction;
+  return options;
+}
+
+/// Runs ours; the peer catches up at every output, and both are looked at.
+void shake(Duel& duel, scenes::Running& own, SteppedPeer& peer, const engine::PrescribedMotion& motion,
+           const engine::DriveOptions& options, const std::function<void(double ground)>& note) {
+  const double start = cpu_seconds(), peer_start = peer.cpu();
+  duel.run = own.run(options, [&](const engine::Sample& sample) {
+    peer.follow(motion, sample.state.time);
+    note(motion.at(sample.state.time).displacement.x);
+    return engine::Wish::go_on;
+  });
+  const double both = cpu_seconds() - start, of_peer = peer.cpu() - peer_start;
+  duel.peer_costs.shaken = of_peer / duel.run.end_time;
+  duel.own_costs.shaken = (both - of_peer) / duel.run.end_time;
+}
+
 Duel fight(const PeerKind& kind, const char* integrator, const Settings& settings) {
   scenes::RunningBond brickwork;
   const auto motion = scenes::sine_cycles(settings.amplitude * 9.81, frequency, settings.cycles);
   const Wall wall = wall_of(scenes::running_bond(brickwork));
   Duel duel;
-
   SteppedPeer peer(kind, wall, settings.step);
   Watch peer_watch(wall, peer.places());
-  peer.stand(settling_time);
-  peer_watch.note_settled();
-  duel.peer_costs.settling = peer.cpu() / settling_time;
+  duel.peer_costs.settling = settle(peer, peer_watch);
 
   brickwork.young_modulus *= scenes::settlement(brickwork) / peer_watch.fate().settlement;
   scenes::Running own(scenes::running_bond(brickwork, motion));
   Watch own_watch(wall, [&own](std::size_t brick) { return own.position(brick); });
-  double start = cpu_seconds();
-  const engine::SettleReport settled = engine::settle(own.model, own.state);
-  duel.own_costs.settling = (cpu_seconds() - start) / settled.duration;
-  own_watch.note_settled();
+  duel.own_costs.settling = settle(own, own_watch);
 
-  const double before = peer.cpu(), duration = settings.cycles / frequency + quiet_time;
-  engine::DriveOptions options = scenes::run_for(duration, output_interval, integrator);
-  options.step_fraction = step_fraction;
-  start = cpu_seconds();
-  duel.run = own.run(options, [&](const engine::Sample& sample) {
-    const double ground = motion->at(sample.state.time).displacement.x;
-    peer.follow(*motion, sample.state.time);
-    peer_watch.note(ground), own_watch.note(ground);
-    return engine::Wish::go_on;
-  });
-  const double all = cpu_seconds() - start, peers = peer.cpu() - before;
-  duel.peer_costs.shaken = peers / duel.run.end_time;
-  duel.own_costs.shaken = (all - peers) / duel.run.end_time;
+  shake(duel, own, peer, *motion, options_for(settings, integrator),
+        [&](double ground) { peer_watch.note(ground), own_watch.note(ground); });
   duel.peer = peer_watch.fate(), duel.own = own_watch.fate();
   return duel;
 }
