@@ -3,9 +3,9 @@
 #include <benchmark/benchmark.h>
 
 #include <ctime>
-#include <numbers>
 
 #include "tests/scenes/rocking.h"
+#include "tests/scenes/running_bond.h"
 
 namespace dougong {
 namespace {
@@ -35,18 +35,11 @@ void rock(benchmark::State& bench) {
 }
 BENCHMARK(rock)->ArgsProduct({{1000, 100, 10}, {1000, 2, 1}})->Iterations(1)->Unit(benchmark::kMillisecond);
 
-std::shared_ptr<const engine::PrescribedMotion> sine(double a) {
-  const double w = 4.0 * std::numbers::pi;
-  return scenes::horizontal_motion([=](double t) { return a * std::sin(w * t); },
-                                   [=](double t) { return a / w * (1.0 - std::cos(w * t)); },
-                                   [=](double t) { return a / w * (t - std::sin(w * t) / w); });
-}
-
 // Arguments: amplitude of the 2 Hz shaking (g/100), duration (ms), friction (1/100). Drift at the end,
 // relative to the ground, is creep as long as nothing slides.
 void wall(benchmark::State& bench, const char* integrator) {
   engine::Scene s = scenes::wall(12, 20, 0.01 * static_cast<double>(bench.range(2)));
-  s.terrains[0].motion = sine(0.0981 * static_cast<double>(bench.range(0)));
+  s.terrains[0].motion = scenes::sine_motion(0.0981 * static_cast<double>(bench.range(0)), 2.0);
   engine::RunOutcome run;
   double drift = 0.0;
   std::clock_t ticks = 0;

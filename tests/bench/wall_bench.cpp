@@ -1,19 +1,14 @@
-// A running-bond wall of 1000 bricks under 20 s of the shipped Wenchuan-style record at 0.3 g: what a
-// simulated second, a step and a contact point cost, for every integrator. Processor time of one core.
+// What a simulated second, a step and a contact point of a wall of 1000 bricks cost: of the wall S1, by which
+// engines are compared, and of the same bricks as a layout under 20 s of the shipped Wenchuan-style record at
+// 0.3 g. Processor time of one core.
 #include <benchmark/benchmark.h>
-#include <sys/resource.h>
-
-#include <ctime>
 
 #include "app/study/motion_input.h"
-#include "engine/drive.h"
-#include "engine/integrators/table.h"
-#include "engine/settle.h"
 #include "structures/layouts/layout.h"
-#include "tests/scenes/running.h"
-#include "tests/scenes/running_bond.h"
+#include "tests/bench/peak_memory.h"
+#include "tests/bench/settled_wall.h"
 
-namespace dougong {
+namespace dougong::bench {
 namespace {
 
 constexpr double window = 20.0;  // s, the strongest part of the record
@@ -30,11 +25,6 @@ std::shared_ptr<const seismic::GroundMotion> strong_window() {
   return std::make_shared<const seismic::GroundMotion>(seismic::condition(records, options).ground_motion());
 }
 
-struct Wall {
-  engine::Model model;
-  engine::State settled;
-};
-
 // 40 courses of 25 bricks: 20 x 25 whole ones and 20 x (24 whole and 2 halves) are 1020 blocks.
 const Wall& wall() {
   static const Wall instance = [] {
@@ -44,39 +34,21 @@ const Wall& wall() {
                                                                             {"brick_height", 0.0625},
                                                                             {"young_modulus", 1e8}});
     building.scene.terrains[0].motion = strong_window();
-    Wall w{engine::compile(building.scene), {}};
-    w.settled = engine::initial_state(w.model, building.scene);
-    engine::settle(w.model, w.settled);
-    return w;
+    return settle(building.scene);
   }();
   return instance;
 }
 
-double peak_megabytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024.0;
-}
-
 void run_wall(benchmark::State& bench, const Wall& w, const engine::DriveOptions& options) {
-  engine::RunOutcome run;
-  std::size_t points = 0;
-  std::clock_t ticks = 0;
-  for (auto _ : bench) {
-    engine::State state = w.settled;
-    const std::clock_t start = std::clock();
-    run = engine::drive(w.model, state, options, {});
-    ticks = std::clock() - start;
-    points = state.contacts.points.size();
-  }
-  const double cpu = static_cast<double>(ticks) / CLOCKS_PER_SEC;
-  const auto steps = static_cast<double>(run.steps);
-  bench.counters["s_per_simulated_s"] = cpu / run.end_time;
-  bench.counters["us_per_step"] = 1e6 * cpu / steps;
-  bench.counters["ns_per_point_step"] = 1e9 * cpu / steps / static_cast<double>(points);
+  Cost cost;
+  for (auto _ : bench) cost = run(w, options);
+  bench.counters["s_per_simulated_s"] = cost.per_simulated_second();
+  bench.counters["us_per_step"] = 1e6 * cost.per_step();
+  bench.counters["ns_per_point_step"] = 1e9 * cost.per_step() / static_cast<double>(cost.points);
   bench.counters["bricks"] = static_cast<double>(w.model.body_count);
-  bench.counters["points"] = static_cast<double>(points);
-  bench.counters["step_us"] = 1e6 * run.step;
+  bench.counters["points"] = static_cast<double>(cost.points);
+  bench.counters["step_us"] = 1e6 * cost.run.step;
+  bench.counters["completed"] = cost.run.outcome == engine::Outcome::completed ? 1.0 : 0.0;
   bench.counters["peak_MB"] = peak_megabytes();
 }
 
@@ -88,24 +60,23 @@ void shake(benchmark::State& bench, const char* integrator) {
   run_wall(bench, wall(), options);
 }
 
-// The wall S1 by which engines are compared: 1020 bricks with open head joints that settle by so many
-// micrometres, shaken at 2 Hz by so many hundredths of g, for so many tenths of a second.
-void s1(benchmark::State& bench) {
-  scenes::RunningBond brickwork;
-  brickwork.young_modulus *= 1e6 * scenes::settlement(brickwork) / static_cast<double>(bench.range(0));
-  const double amplitude = 0.01 * 9.81 * static_cast<double>(bench.range(1));
-  const engine::Scene scene = scenes::running_bond(brickwork, scenes::sine_motion(amplitude, 2.0));
-  Wall w{engine::compile(scene), {}};
-  w.settled = engine::initial_state(w.model, scene);
-  engine::settle(w.model, w.settled);
-  engine::DriveOptions options = scenes::run_for(0.1 * static_cast<double>(bench.range(2)), 0.05);
+// 1020 bricks with open head joints that settle by so many micrometres, shaken at 2 Hz by so many hundredths
+// of g, for so many tenths of a second.
+void s1(benchmark::State& bench, const char* integrator) {
+  const Wall w = settle(
+      s1_scene(1e-6 * static_cast<double>(bench.range(0)), 0.01 * static_cast<double>(bench.range(1))));
+  engine::DriveOptions options = scenes::run_for(0.1 * static_cast<double>(bench.range(2)), 0.05, integrator);
   options.step_fraction = 0.9;
   run_wall(bench, w, options);
 }
 
-BENCHMARK(s1)->Args({1000, 30, 100})->Iterations(1)->Unit(benchmark::kSecond);
-BENCHMARK(s1)->Args({12, 30, 20})->Iterations(1)->Unit(benchmark::kSecond);
-BENCHMARK(s1)->Args({1000, 150, 40})->Iterations(1)->Unit(benchmark::kSecond);
+void shakings(benchmark::internal::Benchmark* bench) {
+  bench->Iterations(1)->Unit(benchmark::kSecond);
+  bench->Args({1000, 30, 10})->Args({1000, 30, 100})->Args({12, 30, 20})->Args({1000, 150, 40});
+}
+
+BENCHMARK_CAPTURE(s1, velocity_verlet, "velocity-verlet")->Apply(shakings);
+BENCHMARK_CAPTURE(s1, symplectic_euler, "symplectic-euler")->Apply(shakings);
 BENCHMARK_CAPTURE(shake, velocity_verlet, "velocity-verlet")
     ->Arg(200)
     ->Iterations(1)
@@ -121,4 +92,4 @@ BENCHMARK_CAPTURE(shake, symplectic_euler, "symplectic-euler")
 BENCHMARK_CAPTURE(shake, rk4, "rk4")->Arg(10)->Iterations(1)->Unit(benchmark::kSecond);
 
 }  // namespace
-}  // namespace dougong
+}  // namespace dougong::bench
