@@ -56,11 +56,13 @@ inline engine::Shape shape(SplitMix64& random, double size) {
   const std::size_t kind = random.below(4);
   if (kind == 0) return engine::make_circle(0.5 * size);
   if (kind < 3) return engine::make_rectangle(0.7 * size, 0.7 * size * random.decades(flattest, 1.0));
+  // On a circle of 0.4 of the size: the centroid lies off its centre, by a quarter of its radius at most.
   std::vector<engine::Vec2> corners;
   const auto n = static_cast<int>(3 + random.below(5));
-  for (int i = 0; i < n; ++i)
-    corners.push_back(
-        engine::rotated({0.5 * size, 0.0}, 2.0 * std::numbers::pi * (i + random.uniform(0.1, 0.9)) / n));
+  for (int i = 0; i < n; ++i) {
+    const double turns = (i + random.uniform(0.25, 0.75)) / n;
+    corners.push_back(engine::rotated({0.4 * size, 0.0}, 2.0 * std::numbers::pi * turns));
+  }
   return engine::make_polygon(corners).polygon;
 }
 

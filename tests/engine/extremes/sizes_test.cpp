@@ -13,7 +13,6 @@ using scenes::run_for;
 using scenes::Running;
 using testing::expect_absolute;
 using testing::expect_relative;
-using testing::report;
 using testing::scientific;
 
 /// How far a block of half sizes b, h sinks into the ground: h W/(2 b E).

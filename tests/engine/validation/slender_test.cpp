@@ -63,7 +63,7 @@ TEST(Sliver, DoesSoWithOtherProportionsAndSpeedsToo) {
   check_drop({1.0, 50.0}, 5.0, -35.0 * degree, 10e9);
 }
 
-// Its own weight shortens the corner that it stands on, by 1.6 % of the sliver's thickness at 30 GPa: 3000.
+// It sinks at the corner that it leans to, which takes 1.7 % of the threshold at 30 GPa: 3000 GPa.
 void check_standing(const Sliver& c) {
   const oracles::Stack upright{c.h(), c.b(), 1};
   const double p = oracles::RockingBlock({c.h(), c.b(), g}).p();
