@@ -42,7 +42,7 @@ class SplitMix64 {
 enum class Surroundings { space, ground, box };
 
 constexpr double always_the_materials = 10.0;  // -, resting damping ratio: faces at rest are as others
-constexpr double flattest = 0.32;              // height over width of a block
+constexpr double flattest = 0.2;               // height over width of a block
 
 struct RandomScene {
   engine::Scene scene;

@@ -104,6 +104,28 @@ TEST(Vertex, OnAVertexOrAnEdgeMakesNoEnergy) {
   }
 }
 
+// Its corner is pressed in where the long face takes over from the short one.
+void check_slender(double ratio, double degrees, double speed, double spin) {
+  const double h = 0.2, b = ratio * h, angle = degrees * std::numbers::pi / 180.0;
+  Scene s =
+      on_ground({block(b, h, {0.0, b * std::sin(angle) + h * std::cos(angle) + 1e-4}, angle)}, 0.0, 1e8);
+  s.gravity = {}, s.materials[0].friction_coefficient = 0.0;
+  s.bodies[0].velocity.y = -speed, s.bodies[0].spin = spin;
+  Running r(s);
+  auto options = run_for(0.1, 1e-3);
+  options.step_fraction = 0.1;
+  const auto audit = scenes::audited(r, options);
+  EXPECT_TRUE(audit.completed()) << audit.run.detail;
+  expect_absolute("corners", "block of 1:" + testing::text(ratio) + " through 45 deg: energy error", 0.0,
+                  audit.energy_error, 5e-3);
+}
+
+TEST(Vertex, OfASlenderBlockKeepsItsEnergyWhenAnotherFaceTakesOver) {
+  check_slender(4.0, 45.5, 4.0, 1.0);
+  check_slender(6.0, 46.0, 2.0, -1.0);
+  check_slender(10.0, 47.5, 4.0, -2.0);
+}
+
 // Edges of the same length, one above the other.
 TEST(Edge, OnAnEqualEdgeRests) {
   for (const double angle : {0.0, std::numbers::pi, 2.0 * quarter}) {
