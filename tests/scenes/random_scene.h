@@ -41,8 +41,7 @@ class SplitMix64 {
 
 enum class Surroundings { space, ground, box };
 
-constexpr double always_the_materials = 10.0;  // -, resting damping ratio: faces at rest are as others
-constexpr double flattest = 0.2;               // height over width of a block
+constexpr double flattest = 0.2;  // height over width of a block
 
 struct RandomScene {
   engine::Scene scene;
@@ -102,7 +101,6 @@ inline RandomScene make_random_scene(std::uint64_t seed) {
   r.surroundings = static_cast<Surroundings>(random.below(3));
   r.scene.materials[0] = random_scene::material(random);
   r.scene.gravity = {0.0, r.surroundings == Surroundings::ground ? -9.81 : 0.0};
-  if (random.below(2) == 0) r.scene.contact.resting_damping_ratio = always_the_materials;
   const double speed = random.uniform(0.0, 3.0);
   random_scene::add_bodies(r.scene, random, cell, speed);
   if (r.surroundings == Surroundings::space)  // thrown at each other
