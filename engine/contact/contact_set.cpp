@@ -310,7 +310,7 @@ void ContactSet::keep_energy(std::span<const Frame> frames, ContactPair& pair, d
 }
 
 void ContactSet::harden(ContactPair& pair, double hardening) {
-  constexpr double most = 10.0;
+  constexpr double most = 1e4;  // a sliver of 1:100 that goes over from its end to its side
   hardening = std::clamp(hardening, 1.0 / most, most);
   for (const Index k : {0, 1}) {
     const std::size_t i = pair.first_point + k;

@@ -103,7 +103,8 @@ DOUGONG_INLINE R follow_rest(PointBlock& b, int from, R angular, R open, R resti
   const R calm_here = calm_flag(normal, past), calm = calm_here * partners(calm_here);
   const R calm_since = where(calm, lesser(since, all_lanes<R>(time)), never);
   const R waited = (time - calm_since) * normal, needed = relaxations_to_rest * damping;
-  const R comes_to_rest = evens(where(calm, where_less(waited, needed, R{}, one), R{}));
+  const R ready = where(calm, where_less(waited, needed, R{}, one), R{});
+  const R comes_to_rest = ready * partners(ready);
   const R next_since = where(leaves, never, where(rested, since, calm_since));
   const R next = where(leaves, R{}, greater(rested, comes_to_rest));
   store_evens(reinterpret_cast<double*>(&b.calm_since) + from / 2, R(where(angular, next_since, since)));

@@ -62,6 +62,12 @@ double nominal_length(const Model& model, const Manifold& manifold, Index a, Ind
   return manifold.at_seam ? 0.0 : 0.5 * std::min(model.minimum_width[a], model.minimum_width[b]);
 }
 
+// The law of a point stands for a length of contact and grows with it until the next look. The dashpot grows
+// as much, not as the root of the stiffness: from next to nothing, where two corners just meet, it would come
+// to many times its due. So the law stands at least for the way that a pair goes between two looks there,
+// over the smaller width (contact_set.cpp).
+constexpr double least_reference = 4e-4;
+
 // Of the corner along the edge, from the edge's point (m).
 double position_along(const Feature& f, Vec2 in_edge_body) {
   return dot(turned(f.edge_normal), in_edge_body - f.edge_point);
@@ -72,11 +78,14 @@ double position_along(const Feature& f, Vec2 in_edge_body) {
 BearingLength bearing_of(const Model& model, std::span<const Frame> frames, const Manifold& manifold,
                          const Feature& f) {
   const double nominal = nominal_length(model, manifold, f.corner_body, f.edge_body);
+  const double least =
+      least_reference * std::min(model.minimum_width[f.corner_body], model.minimum_width[f.edge_body]);
   BearingLength b{f.facing, f.edge_length, nominal, 1.0};
   const double length = contact_length(
       b, position_along(f, frames[f.edge_body].to_local(frames[f.corner_body].to_world(f.corner))));
   if (model.contact.point_stiffness || length <= 0.0) b.facing = 0.0;
-  b.per_reference = 1.0 / bearing_length(b.facing != 0.0 ? length : manifold.length, nominal);
+  b.per_reference =
+      1.0 / bearing_length(b.facing != 0.0 ? std::max(length, least) : manifold.length, nominal);
   return b;
 }
 

@@ -127,6 +127,50 @@ TEST(Drive, RefusesAStepAboveTheBound) {
   EXPECT_EQ(r.run(options).outcome, Outcome::completed);
 }
 
+// X04. Just below the bound a block that swings without loss on its springs keeps its energy.
+TEST(Drive, IsStableUpToItsBound) {
+  for (const auto& [b, h] : {std::pair{0.5, 0.2}, std::pair{0.1, 0.3}})
+    for (const double part : {0.5, 0.9, 0.99}) {
+      Scene s = scenes::scene(0.6, 1e9, 0.0);
+      const double sunk = 2400.0 * 2.0 * h * 9.81 * h / 1e9;
+      s.bodies.push_back(scenes::block(b, h, {0.0, h - 1.05 * sunk}));
+      s.terrains.push_back(scenes::ground());
+      Running r(s);
+      const Energies start = r.energies();
+      DriveOptions options = run_for(5.0);
+      options.step = part * plan_steps(r.model, r.state, options).bound;
+      options.output_interval = 100.0 * *options.step;
+      double worst = 0.0;
+      const RunOutcome run = r.run(options, [&](const Sample&) {
+        worst = std::max(worst, std::abs(r.energies().balance() - start.balance()));
+        return Wish::go_on;
+      });
+      EXPECT_EQ(run.outcome, Outcome::completed) << run.detail;
+      EXPECT_DOUBLE_EQ(run.smallest_step, *options.step);
+      testing::expect_absolute("X04", testing::text(part) + " of the bound: energy error over stored", 0.0,
+                               worst / start.elastic, 1e-8);
+    }
+}
+
+// X04. A million steps of a tenth of a microsecond add up to a fall.
+TEST(Drive, AddsUpAMillionTinySteps) {
+  for (const auto& [speed, gravity] : {std::pair{0.0, 9.81}, std::pair{3.0, 1.62}})
+    for (const char* integrator : {"velocity-verlet", "rk4"}) {
+      Scene s = scenes::scene(0.6);
+      s.gravity.y = -gravity;
+      s.bodies.push_back(scenes::block(0.5, 0.2, {0.0, 20.0}));
+      s.bodies[0].velocity.y = speed;
+      Running r(s);
+      DriveOptions options = run_for(0.1, 0.1, integrator);
+      options.step = 1e-7;
+      EXPECT_EQ(r.run(options).steps, 1000000u);
+      const std::string name = std::string(integrator) + " v=" + testing::text(speed) + " ";
+      testing::expect_relative("X04", name + "fallen in 1e6 steps of 1e-7 s", speed * 0.1 - 0.005 * gravity,
+                               r.position().y - 20.0, 1e-9);
+      testing::expect_relative("X04", name + "speed", speed - 0.1 * gravity, r.velocity().y, 1e-9);
+    }
+}
+
 TEST(Drive, SaysWhichBodysMotionIsNotFinite) {
   Scene s = shaken_block(0.01);
   s.bodies.push_back(scenes::block(0.1, 0.1, {5.0, 3.0}));

@@ -32,5 +32,11 @@ inline std::string text(double value) {
   if (s.back() == '.') s.pop_back();
   return s;
 }
+/// The same where it may be very small or large: 1e-06.
+inline std::string scientific(double value) {
+  char digits[32];
+  std::snprintf(digits, sizeof digits, "%.3g", value);
+  return digits;
+}
 
 }  // namespace dougong::testing

@@ -8,6 +8,7 @@
 
 #include "tests/engine/reference.h"
 #include "tests/oracles/polygons.h"
+#include "tests/scenes/running.h"
 
 namespace dougong::engine {
 namespace {
@@ -21,6 +22,16 @@ std::vector<Vec2> shifted(std::vector<Vec2> points, Vec2 by) {
 }
 
 const std::vector<Vec2> pentagon{{0, 0}, {2, 0.3}, {2.6, 1.7}, {1.1, 2.8}, {-0.4, 1.2}};
+
+// Every corner twice, every edge in three.
+std::vector<Vec2> with_spare_corners(const std::vector<Vec2>& outline) {
+  std::vector<Vec2> spare;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Vec2 p = outline[i], q = outline[(i + 1) % outline.size()];
+    spare.insert(spare.end(), {p, p, p + 0.25 * (q - p), 0.5 * (p + q)});
+  }
+  return spare;
+}
 
 std::string refusal(const std::vector<Vec2>& points) {
   try {
@@ -85,17 +96,40 @@ TEST(PolygonMass, DoesNotDependOnTheSenseOfRotation) {
 }
 
 TEST(PolygonMass, IgnoresRepeatedAndCollinearCorners) {
-  std::vector<Vec2> spare;
-  for (std::size_t i = 0; i < pentagon.size(); ++i) {
-    const Vec2 p = pentagon[i], q = pentagon[(i + 1) % pentagon.size()];
-    spare.insert(spare.end(), {p, p, p + 0.25 * (q - p), 0.5 * (p + q)});
-  }
-  const PlacedPolygon placed = make_polygon(spare), clean = make_polygon(pentagon);
+  const PlacedPolygon placed = make_polygon(with_spare_corners(pentagon)), clean = make_polygon(pentagon);
   EXPECT_EQ(placed.polygon.size(), 5u);
   EXPECT_NEAR(
       mass_properties(placed.polygon, 2400, 1).inertia / mass_properties(clean.polygon, 2400, 1).inertia, 1.0,
       1e-13);
   EXPECT_NEAR(norm(placed.centroid - clean.centroid), 0.0, 1e-13);
+}
+
+// X09. A tumble on its corners shows any difference of outline, mass or centroid.
+TEST(Polygon, TumblesWithSpareCornersAsWithout) {
+  const auto tumbled = [](const std::vector<Vec2>& outline) {
+    Scene s = scenes::scene(0.4, 1e8, 0.3);
+    Body body;
+    body.name = "pentagon";
+    const PlacedPolygon placed = make_polygon(outline);
+    body.shape = placed.polygon;
+    body.position = placed.centroid + Vec2{0.0, 0.5};
+    body.velocity.x = 5.0, body.spin = -4.0;
+    s.bodies.push_back(body);
+    s.terrains.push_back(scenes::ground());
+    scenes::Running r(s);
+    r.run(scenes::run_for(2.0));
+    return r;
+  };
+  const scenes::Running clean = tumbled(pentagon);
+  for (const auto& outline :
+       {with_spare_corners(pentagon), std::vector<Vec2>(pentagon.rbegin(), pentagon.rend())}) {
+    const scenes::Running r = tumbled(outline);
+    EXPECT_GT(std::abs(r.angle()), 0.5) << "it has not tumbled";
+    testing::expect_absolute("X09", "outline of " + std::to_string(outline.size()) + " corners: place (m)",
+                             0.0, norm(r.position() - clean.position()), 1e-9);
+    testing::expect_absolute("X09", "outline of " + std::to_string(outline.size()) + " corners: angle (rad)",
+                             0.0, r.angle() - clean.angle(), 1e-9);
+  }
 }
 
 TEST(Polygon, RefusesWhatIsNotOneConvexOutline) {

@@ -53,6 +53,16 @@ struct RockingBlock {
     };
     return integral(rate, 0.0, 1.0);
   }
+  /// From rest at eps beyond the balance on a corner to x beyond it, either way:
+  ///   x'^2 = 2 p^2 (cos eps - cos x);  with x = eps cosh z the slow start is a straight line in z.
+  double time_from_balance(double eps, double turned) const {
+    const auto rate = [&](double z) {
+      const double x = eps * std::cosh(z);
+      const double fallen = 2.0 * std::sin(0.5 * (x + eps)) * std::sin(0.5 * (x - eps));
+      return z == 0.0 ? std::sqrt(eps / std::sin(eps)) : eps * std::sinh(z) / std::sqrt(2.0 * fallen);
+    };
+    return integral(rate, 0.0, std::acosh(turned / eps)) / p();
+  }
 
   std::vector<Impact> impacts(double amplitude, int count) const {
     std::vector<Impact> all;

@@ -17,6 +17,11 @@ struct RestingBlock {
   double rk4_step() const { return 2.0 * std::sqrt(2.0) / frequency(); }
 };
 
+/// Stiffness of two plates pressed onto each other.
+inline double in_series(double k1, double k2) {
+  return 1.0 / (1.0 / k1 + 1.0 / k2);
+}
+
 /// n equal blocks of half sizes b, h stacked, as a rigid body on its edge.
 struct Stack {
   double b, h;

@@ -1,6 +1,7 @@
 // A scene with its model and state, ready to run.
 #pragma once
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -42,6 +43,19 @@ inline double angular_momentum(const Running& r, engine::Vec2 about) {
   for (std::size_t i = 0; i < r.bodies(); ++i)
     sum += r.model.mass[i] * cross(r.position(i) - about, r.velocity(i)) + r.model.inertia[i] * r.spin(i);
   return sum;
+}
+
+/// How far the body that moved most is from where it was (m).
+inline double greatest_drift(const Running& r, const Running& start) {
+  double drift = 0.0;
+  for (std::size_t i = 0; i < r.bodies(); ++i)
+    drift = std::max(drift, norm(r.position(i) - start.position(i)));
+  return drift;
+}
+inline double greatest_turn(const Running& r, const Running& start) {
+  double turn = 0.0;
+  for (std::size_t i = 0; i < r.bodies(); ++i) turn = std::max(turn, std::abs(r.angle(i) - start.angle(i)));
+  return turn;
 }
 
 /// What compile() says against a scene; "accepted" when it has nothing to say.

@@ -18,6 +18,7 @@ namespace dougong::engine {
 namespace {
 
 using scenes::disc;
+using scenes::greatest_drift;
 using scenes::Running;
 using testing::expect_absolute;
 using testing::expect_relative;
@@ -334,13 +335,6 @@ Scene overhanging_stack(int count, double length, double height, double part) {
         scenes::block(0.5 * length, 0.5 * height, {right - 0.5 * length, (count - k + 0.5) * height}));
   }
   return s;
-}
-
-double greatest_drift(const Running& r, const Running& start) {
-  double drift = 0.0;
-  for (std::size_t i = 0; i < r.bodies(); ++i)
-    drift = std::max(drift, norm(r.position(i) - start.position(i)));
-  return drift;
 }
 
 void check_overhang(int count, double length, double height, double duration) {

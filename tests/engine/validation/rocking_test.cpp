@@ -8,6 +8,7 @@
 #include "tests/engine/reference.h"
 #include "tests/oracles/rocking.h"
 #include "tests/oracles/statics.h"
+#include "tests/scenes/leaning.h"
 #include "tests/scenes/rocking.h"
 
 namespace dougong::engine {
@@ -17,6 +18,7 @@ using scenes::measured_impacts;
 using scenes::run_for;
 using scenes::Running;
 using scenes::tilted_block;
+using scenes::topples_under;
 using testing::expect_relative;
 using testing::text;
 
@@ -57,22 +59,6 @@ TEST(RockingBlock, ImpactsAndDecaysAsHousnerSays) {
 TEST(RockingBlock, DoesSoWithOtherProportionsToo) {
   check_rocking({0.2, 0.6, 9.81}, 4);
   check_rocking({0.4, 2.4, 9.81}, 3);
-}
-
-// Gravity is turned a little at a time, which is what tilting the ground does to what stands on it.
-// Returns whether any block turns by more than `lost`.
-bool topples_under(Running& r, double load, bool keep_vertical_part, double rest, double lost) {
-  const int stages = 20;
-  bool toppled = false;
-  for (int i = 1; i <= stages && !toppled; ++i) {
-    const double part = load * i / stages;
-    r.model.gravity = keep_vertical_part ? Vec2{9.81 * part, -9.81} : rotated({0.0, -9.81}, part);
-    r.run(run_for(i == stages ? rest : 0.03, 0.01), [&](const Sample&) {
-      for (std::size_t k = 0; k < r.bodies(); ++k) toppled |= std::abs(r.angle(k)) > lost;
-      return toppled ? Wish::stop : Wish::go_on;
-    });
-  }
-  return toppled;
 }
 
 // Half a per cent above its threshold a stack needs acosh(100)/p to turn by half of its alpha.
