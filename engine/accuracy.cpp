@@ -25,7 +25,8 @@ struct LevelValues {
 // Fractions below 0.9 of the bound: see the rocking block. A contact's tenth is the floor of its law.
 constexpr std::array<LevelValues, 3> levels{
     {{"draft", 1e-5, 0.9, 0.2}, {"standard", 1e-8, 0.5, 0.05}, {"reference", 1e-12, 0.1, 0.01}}};
-constexpr double few_bodies_tolerance = 1e-8;
+// A part of the scene: a block may rest on an overlap of a hundred millionth of it.
+constexpr double few_bodies_tolerance = 1e-10;
 
 // A half of the bound errs by about 1e-3 of the time on the rocking block, and the error is of first order.
 double contact_fraction_for(double tolerance) {
@@ -91,8 +92,8 @@ ResolvedAccuracy fixed(const Accuracy& accuracy, std::size_t bodies) {
   ResolvedAccuracy r;
   r.integrator = "velocity-verlet";
   r.step_fraction = level ? level->contact_fraction : contact_fraction_for(std::get<double>(accuracy));
-  r.explanation = number(static_cast<double>(bodies)) +
-                  " bodies touch, and impacts make any method one of first order: velocity-verlet at " +
+  r.explanation = number(static_cast<double>(bodies)) + (bodies == 1 ? " body touches" : " bodies touch") +
+                  ", and impacts make any method one of first order: velocity-verlet at " +
                   number(r.step_fraction) + " of the stability bound" +
                   (level ? "" : "; the tolerance is aimed at, not promised");
   return r;

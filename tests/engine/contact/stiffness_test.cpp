@@ -52,7 +52,8 @@ double stiffness_with_length(double length) {
   Scene s = scenes::scene(0.6);
   s.bodies = {scenes::block(0.5, 0.2, {0.0, 0.2}), scenes::block(0.5, 0.15, {1.0 - length, 0.55})};
   const Running r(s);
-  return r.state.contacts.points.stiffness(0).normal;
+  const ContactPoints& points = r.state.contacts.points;
+  return law_at(points, 0, geometry_of(points, 0, frames_of(r.model, r.state))).normal;
 }
 
 TEST(PointStiffness, OfTwoCornersIsThatOfHalfAWidthWithoutAStep) {

@@ -243,7 +243,7 @@ TEST(IsolatedCluster, KeepsItsMomentumAboutAnyPoint) {
     const double spin = scenes::angular_momentum(r, {}), far = scenes::angular_momentum(r, away);
     const bool conserves = integrator != std::string("rk4");
     DriveOptions options = scenes::run_for(2.0, 0.05, integrator);
-    if (!conserves) options.step_fraction = 0.25;
+    if (!conserves) options.step_fraction = 0.1;
     const RunOutcome run = r.run(options);
     EXPECT_EQ(run.outcome, Outcome::completed) << integrator << ": " << run.detail;
     EXPECT_LT(norm(scenes::momentum(r) - before), 1e-11);
