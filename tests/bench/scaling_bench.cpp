@@ -4,31 +4,16 @@
 #include <benchmark/benchmark.h>
 
 #include "tests/bench/peak_memory.h"
-#include "tests/bench/settled_wall.h"
+#include "tests/bench/pressed_wall.h"
 
 namespace dougong::bench {
 namespace {
-
-// A joint carries the courses above it; the lowest, on rigid ground, is twice as stiff.
-void press(engine::Scene& scene, const scenes::RunningBond& w) {
-  const double weight = w.density * w.length * w.height * -scene.gravity.y;
-  const double yields = weight * w.height / (w.young_modulus * w.length);  // m, under one brick
-  std::vector<double> sunk;
-  for (int course = 0; course < w.courses; ++course)
-    sunk.push_back((course == 0 ? 0.0 : sunk.back()) +
-                   (w.courses - course) * yields * (course == 0 ? 0.5 : 1.0));
-  for (engine::Body& body : scene.bodies)
-    body.position.y -= sunk[static_cast<std::size_t>(body.position.y / w.height)];
-}
 
 // Arguments: courses, bricks of a course, simulated time (ms).
 void shake(benchmark::State& bench, const char* integrator) {
   scenes::RunningBond brickwork;
   brickwork.courses = static_cast<int>(bench.range(0)), brickwork.bricks = static_cast<int>(bench.range(1));
-  engine::Scene scene = scenes::running_bond(brickwork, scenes::sine_motion(0.3 * 9.81, 2.0));
-  press(scene, brickwork);
-  Wall wall{engine::compile(scene), {}};
-  wall.settled = engine::initial_state(wall.model, scene);
+  const Wall wall = pressed_wall(brickwork, 0.3);
   engine::DriveOptions options =
       scenes::run_for(1e-3 * static_cast<double>(bench.range(2)), 0.01, integrator);
   options.step_fraction = 0.9;
