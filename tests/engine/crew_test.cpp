@@ -56,7 +56,7 @@ struct Ending {
 Ending shaken(std::size_t threads, const std::string& integrator) {
   scenes::RunningBond brickwork{.courses = 40, .bricks = 25};
   Running r(scenes::running_bond(brickwork, scenes::sine_motion(15.0, 2.0)));
-  DriveOptions options = scenes::run_for(0.1, 0.05, integrator);
+  DriveOptions options = scenes::run_for(0.04, 0.02, integrator);
   options.threads = threads;
   EXPECT_EQ(r.run(options).outcome, Outcome::completed);
   return {state_hash(r.state), r.state.work.damping, r.state.work.tangential, r.state.deepest_ratio};
