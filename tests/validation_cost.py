@@ -27,12 +27,17 @@ def row_of(cells):
     return "|" + "|".join(f" {cell} " if cell else " " for cell in cells) + "|\n"
 
 
-def command_of(cell, build):
-    """The program and its filter: "`test_study`: `A.*`", or "`A.*`, `B.*`" of test_engine."""
-    named = re.findall(r"`([^`]+)`", cell)
-    program = named.pop(0) if named and named[0].startswith("test_") else "test_engine"
-    filters = ":".join(name for name in named if "/" not in name)
-    return [os.path.join(build, "bin", program), "--gtest_filter=" + filters] if filters else None
+def commands_of(cell, build):
+    """Programs and their filters: "`test_study`: `A.*`; `test_cli`: `B.*`", or "`A.*`, `B.*`" of test_engine."""
+    filters = {}
+    program = "test_engine"
+    for name in re.findall(r"`([^`]+)`", cell):
+        if name.startswith("test_"):
+            program = name
+        elif "/" not in name and not name.endswith("_bench"):  # a bench is not run: what it costs is written by hand
+            filters.setdefault(program, []).append(name)
+    return [[os.path.join(build, "bin", program), "--gtest_filter=" + ":".join(names)]
+            for program, names in filters.items()]
 
 
 def processor_time(command):
@@ -51,15 +56,17 @@ def written(seconds):
 def with_costs(rows, build, cases):
     measured = set()
     for cells in rows:
-        command = command_of(cells[2], build)
-        key = tuple(command or ())
-        if not command or key in measured:
+        commands = commands_of(cells[2], build)
+        if not commands and cells[2] != "same":
+            continue
+        key = tuple(map(tuple, commands))
+        if not commands or key in measured:
             cells[-1] = "same"
             continue
         measured.add(key)
         if not cases or cells[0] in cases:
-            cells[-1] = written(processor_time(command))
-            print(cells[0], command[1], cells[-1], flush=True)
+            cells[-1] = written(sum(map(processor_time, commands)))
+            print(cells[0], *(command[1] for command in commands), cells[-1], flush=True)
     return rows
 
 
