@@ -5,13 +5,21 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/study/key.h"
+#include "app/study/scene_keys.h"
 
 namespace dougong::app {
 namespace {
 
 bool changes_stiffness(const Way& way) {
   return way.stiffness != 1.0 && std::isfinite(way.stiffness);
+}
+
+// The keys by which one differs from the other, with the values of the other.
+template <class Owner>
+void add_changed(std::vector<std::string>& lines, const Owner& from, const Owner& to) {
+  for (const Key<Owner>& key : keys_of<Owner>())
+    if (toml_value(key, from) != toml_value(key, to))
+      lines.push_back(key.name + (" = " + toml_value(key, to)));
 }
 
 MaterialChoice& choice_of(SceneDescription& description, const std::string& name) {
@@ -74,10 +82,17 @@ SceneDescription with_stiffness(SceneDescription description, const engine::Scen
 
 std::vector<std::string> keys_of(const Way& way, const SceneDescription& description,
                                  const engine::Scene& scene) {
-  std::vector<std::string> lines{"[solve]", "integrator = " + toml_text(way.solve.integrator)};
-  if (way.solve.step_fraction) lines.push_back(fmt::format("step_fraction = {:g}", *way.solve.step_fraction));
-  if (way.solve.step) lines.push_back("step = " + toml_number(*way.solve.step, Dimension::time));
-  if (way.solve.tolerance) lines.push_back(fmt::format("tolerance = {:g}", *way.solve.tolerance));
+  SceneSolve solve = description.solve;
+  static_cast<IntegrationChoice&>(solve) = way.solve;
+  solve.threads = description.solve.threads;
+  std::vector<std::string> lines{"[solve]"};
+  add_changed(lines, description.solve, solve);
+  // Rigid contacts have no springs to speak of.
+  if (way.stiffness == rigid) {
+    lines.emplace_back("[contact]");
+    add_changed(lines, description.contact, engine::ContactOptions{});
+    if (lines.back() == "[contact]") lines.pop_back();
+  }
   if (!changes_stiffness(way)) return lines;
   for (std::string& line : stiffness_keys(with_stiffness(description, scene, way.stiffness)))
     lines.push_back(std::move(line));

@@ -1,4 +1,5 @@
 // `dougong tradeoff` as a person meets it.
+#include "tests/app/box_that_lands.h"
 #include "tests/app/cli/program_test.h"
 
 namespace dougong::app {
@@ -9,24 +10,9 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-const std::string box = R"(title = "a box that lands"
-[[body]]
-name = "box"
-shape = "rectangle"
-width = "1 m"
-height = "1 m"
-position = ["0 m", "0.51 m"]
-material = "rubber"
-[[terrain]]
-shape = "half-plane"
-material = "rubber"
-[solve]
-duration = "0.2 s"
-)";
-
 class TradeoffCommand : public ProgramTest {
  protected:
-  void SetUp() override { write("box.toml", box); }
+  void SetUp() override { write("box.toml", "title = \"a box that lands\"\n" + box_that_lands); }
   Ran trade(std::vector<std::string> more) const {
     std::vector<std::string> words{"tradeoff", "box.toml", "--ensemble", "2"};
     words.insert(words.end(), more.begin(), more.end());

@@ -95,6 +95,21 @@ TEST(Way, SaysTheKeysThatAskForIt) {
             built.materials.at(0).friction_coefficient);
 }
 
+TEST(Way, TakesBackTheKeysThatItHasNoUseFor) {
+  const std::string head = box_that_lands.substr(0, box_that_lands.find("[solve]"));
+  const SceneDescription box = read_scene(
+      head + "[contact]\npoint_stiffness = \"1e8 N/m\"\n[solve]\naccuracy = \"draft\"\n", "s.toml");
+  Way way{rigid, {}};
+  way.solve.integrator = "moreau-jean", way.solve.step = 0.5e-3;
+  std::string text = head;
+  for (const std::string& line : keys_of(way, box, build_scene(box).scene)) text += line + "\n";
+  const SceneDescription asked = read_scene(text, "asked.toml");
+  EXPECT_NO_THROW(build_scene(asked)) << text;
+  EXPECT_EQ(asked.solve.step, 0.5e-3);
+  EXPECT_EQ(asked.solve.accuracy, "standard");
+  EXPECT_FALSE(asked.contact.point_stiffness);
+}
+
 TEST(Way, ScalesAStiffnessThatIsGivenForPoints) {
   SceneDescription box = read_scene(box_that_lands, "s.toml");
   box.contact.point_stiffness = 1e6;

@@ -5,6 +5,7 @@
 
 #include "app/study/scene_file.h"
 #include "app/study/tradeoff/tradeoff.h"
+#include "tests/app/box_that_lands.h"
 
 namespace dougong::app {
 
@@ -34,22 +35,6 @@ gravitational_constant = "1 m3/(kg s2)"
 duration = "6.4 s"
 [output]
 rate = "5 Hz"
-)toml";
-
-/// A box of rubber that falls a little way on to a floor of rubber.
-inline const std::string box_that_lands = R"toml(
-[[body]]
-name = "box"
-shape = "rectangle"
-width = "1 m"
-height = "1 m"
-position = ["0 m", "0.51 m"]
-material = "rubber"
-[[terrain]]
-shape = "half-plane"
-material = "rubber"
-[solve]
-duration = "0.2 s"
 )toml";
 
 inline TradeoffChoice with(std::vector<std::string> integrators, std::vector<double> steps) {
