@@ -52,28 +52,32 @@ Vec2 normal_of(const Pair& pair, ReferenceEdge r) {
 }
 
 // How much worse one axis may be than another and still count as good: a tenth of the margin if they are
-// parallel, as those of two faces that lie on each other; next to nothing if one turns across, where a corner
-// passes another.
+// parallel, as those of two faces that lie on each other; next to nothing if they are tilted, where a corner
+// passes another: what the worse one has in common with the other shape may end before the better one's.
 double tie_of(const Pair& pair, ReferenceEdge one, ReferenceEdge other) {
-  constexpr double of_faces = 0.1, of_corners = 0.001;
-  const double parallel = dot(normal_of(pair, one), normal_of(pair, other));
-  return pair.margin * (of_corners + (of_faces - of_corners) * parallel * parallel);
+  constexpr double of_faces = 0.1, of_corners = 0.001, tilted = 0.25;  // rad
+  const double tilt = cross(normal_of(pair, one), normal_of(pair, other)) / tilted;
+  return pair.margin * std::max(of_corners, of_faces * (1.0 - tilt * tilt));
 }
 
-// The axis of greatest separation, or the previous one if that is as good.
-ReferenceEdge choose_reference(const Pair& pair, double& separation) {
+struct References {
+  double separation;           // m, of the polygons
+  ReferenceEdge best, chosen;  // of greatest separation; the previous one if that is as good
+};
+
+References choose_references(const Pair& pair) {
   const auto& pa = polygon_of(pair.model, pair.a);
   const auto& pb = polygon_of(pair.model, pair.b);
   const Frame &fa = pair.frame(pair.a), &fb = pair.frame(pair.b);
   const Axis best_a = greatest_separation(pa, fa, pb, fb);
   const Axis best_b = greatest_separation(pb, fb, pa, fa);
-  separation = std::max(best_a.separation, best_b.separation);
   const ReferenceEdge of_a{pair.a, best_a.edge, true}, of_b{pair.b, best_b.edge, true};
-  const ReferenceEdge best = best_b.outer > best_a.outer + tie_of(pair, of_a, of_b) ? of_b : of_a;
+  const ReferenceEdge first = best_b.outer > best_a.outer + tie_of(pair, of_a, of_b) ? of_b : of_a;
   const ReferenceEdge previous = pair.previous.reference;
   const double outer = std::max(best_a.outer, best_b.outer);
-  const bool kept = previous.known && separation_of(pair, previous) > outer - tie_of(pair, previous, best);
-  return kept ? previous : best;
+  const bool kept = previous.known && separation_of(pair, previous) > outer - tie_of(pair, previous, first);
+  return {std::max(best_a.separation, best_b.separation), best_b.outer > best_a.outer ? of_b : of_a,
+          kept ? previous : first};
 }
 
 Index facing_edge(const ConvexPolygon& polygon, Vec2 local_direction) {
@@ -169,11 +173,14 @@ Manifold clip(const Pair& pair, ReferenceEdge reference) {
   return m;
 }
 
+// Of two convex shapes that overlap, the axis of least overlap has a length in common with both; one that is
+// nearly as good need not.
 Manifold polygon_polygon(const Pair& pair) {
-  double separation = 0.0;
-  const ReferenceEdge reference = choose_reference(pair, separation);
-  if (separation > pair.margin) return {};
-  return clip(pair, reference);
+  const References references = choose_references(pair);
+  if (references.separation > pair.margin) return {};
+  Manifold m = clip(pair, references.chosen);
+  if (m.count == 0 && references.separation < 0.0) m = clip(pair, references.best);
+  return m;
 }
 
 double radius_of(const Pair& pair, Index circle) {

@@ -126,6 +126,38 @@ TEST(Vertex, OfASlenderBlockKeepsItsEnergyWhenAnotherFaceTakesOver) {
   check_slender(10.0, 47.5, 4.0, -2.0);
 }
 
+// A block flies past a hexagon so that corner meets corner.
+scenes::Audit audit_of_passing(double offset) {
+  constexpr double radius = 0.2, half = 0.18, turn = 0.1, block_angle = 1.099, speed = 3.0;
+  std::vector<Vec2> corners;
+  for (int i = 0; i < 6; ++i) {
+    const double angle = turn + i * std::numbers::pi / 3.0;
+    corners.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+  }
+  Body hexagon;
+  hexagon.shape = make_polygon(corners).polygon;
+  Scene s = scenes::scene(0.0, 1e8, 0.0);
+  s.gravity = {};
+  s.bodies = {hexagon, block(half, half, {0.6, offset}, block_angle)};
+  s.bodies[1].velocity.x = -speed;
+  Running r(s);
+  auto options = run_for(0.4, 1e-3);
+  options.step_fraction = 0.1;
+  const auto audit = scenes::audited(r, options);
+  EXPECT_TRUE(audit.completed()) << offset << ": " << audit.run.detail;
+  return audit;
+}
+
+TEST(Vertex, ThatIsPressedPastAnotherMakesNoEnergy) {
+  double error = 0.0, gained = 0.0;
+  for (int i = 0; i < 150; ++i) {
+    const auto audit = audit_of_passing(0.4 + 2e-4 * i);
+    error = std::max(error, audit.energy_error), gained = std::max(gained, audit.energy_gained);
+  }
+  expect_absolute("corners", "block past a hexagon, corner by corner: energy error", 0.0, error, 0.03);
+  expect_absolute("corners", "block past a hexagon, corner by corner: energy gained", 0.0, gained, 0.004);
+}
+
 // Edges of the same length, one above the other.
 TEST(Edge, OnAnEqualEdgeRests) {
   for (const double angle : {0.0, std::numbers::pi, 2.0 * quarter}) {
