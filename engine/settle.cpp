@@ -38,23 +38,17 @@ void start_afresh(const Model& model, State& state, std::span<const double> velo
   put_to_rest(state.contacts.points);
 }
 
-}  // namespace
-
-SettleReport settle(const Model& model, State& state, const SettleOptions& options) {
-  SettleReport report;
-  const double gravity = norm(model.gravity);
-  if (gravity == 0.0 || model.body_count == 0) return report.settled = true, report;
-
+// Looks for rest from where the state is, for what is left of the time.
+void seek_rest(const Model& model, State& state, const SettleOptions& options,
+               const std::vector<double>& before, SettleReport& report) {
   DriveOptions drive_options;
   drive_options.integrator = "symplectic-euler";
-  drive_options.end_time = options.longest_time;
+  drive_options.end_time = options.longest_time - report.duration;
   drive_options.terrain_held_still = true;
   drive_options.local_damping = options.local_damping;
-  const std::vector<double> before = state.y;
-  const std::vector<double> velocities(state.v().begin(), state.v().end());
   std::fill(state.v().begin(), state.v().end(), 0.0);
   const RunOutcome run = drive(model, state, drive_options, [&](const Sample& sample) {
-    report.unbalanced_ratio = largest_translation(model, sample.accelerations) / gravity;
+    report.unbalanced_ratio = largest_translation(model, sample.accelerations) / norm(model.gravity);
     // At t = 0 nothing touches yet: free fall is unbalanced by 1.
     report.settled = sample.state.time > 0.0 && report.unbalanced_ratio < options.unbalanced_ratio;
     note_movement(model, before, sample.state, report);
@@ -63,7 +57,35 @@ SettleReport settle(const Model& model, State& state, const SettleOptions& optio
   });
   report.outcome = run.outcome;
   report.detail = run.detail;
-  report.duration = run.end_time;
+  report.duration += run.end_time;
+}
+
+bool has_sound_bonds(const Model& model, const BondState& bonds) {
+  for (std::size_t i = 0; i < model.bond_points.size(); ++i)
+    if (has_cracked(model.bond_points[i].law, bonds.history[i])) return false;
+  return !model.bond_points.empty();
+}
+
+// Weight that comes all at once strains a bond up to twice as far as it does at rest.
+void seek_elastic_rest(Model model, State& state, const SettleOptions& options,
+                       const std::vector<double>& before, SettleReport& report) {
+  constexpr double endless = std::numeric_limits<double>::infinity();
+  for (BondPoint& point : model.bond_points)
+    point.law.tension = point.law.cohesion = point.law.yield = endless;
+  seek_rest(model, state, options, before, report);
+  for (BondHistory& history : state.bonds.history) history.widest = 0.0;
+}
+
+}  // namespace
+
+SettleReport settle(const Model& model, State& state, const SettleOptions& options) {
+  SettleReport report;
+  if (norm(model.gravity) == 0.0 || model.body_count == 0) return report.settled = true, report;
+  const std::vector<double> before = state.y;
+  const std::vector<double> velocities(state.v().begin(), state.v().end());
+  const bool elastic_first = has_sound_bonds(model, state.bonds);
+  if (elastic_first) seek_elastic_rest(model, state, options, before, report);
+  if (!elastic_first || report.settled) seek_rest(model, state, options, before, report);
   start_afresh(model, state, velocities);
   return report;
 }

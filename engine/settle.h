@@ -1,7 +1,9 @@
 // Finds the equilibrium of a scene under its own weight before anything shakes it.
 //
 // The ground is held still and the scene runs with Cundall's local damping until every body's
-// unbalanced force is a small part of its weight. What is left of the speed is then taken off.
+// unbalanced force is a small part of its weight. What is left of the speed is then taken off. Bonds find
+// their rest as if they could not break, and only then have their strength: those break that the weight at
+// rest breaks.
 #pragma once
 
 #include <limits>

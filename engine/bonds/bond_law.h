@@ -4,15 +4,18 @@
 //   N = kn e (1 - D)          tension > 0; D = 0 in compression
 //   T = kt s,  |T| <= C (1 - D) + mu max(0, -N) (- mu N in tension)      s slip from the anchor
 //
-// Tension ends in one of three ways. Brittle: the point breaks at N = Ft. Softening: from the opening
+// Tension ends in one of three ways. Brittle: the point breaks when kn w = Ft. Softening: from the opening
 // w0 = Ft/kn the envelope falls along a straight line to zero at wf = 2 Gf A / Ft, unloading to the origin
-// (Hillerborg, Modeer and Petersson, Cement Concr. Res. 6 (1976) 773-781). Ductile, if Fy < Ft: N stays at Fy
-// and p grows; slip beyond the shear strength then flows too. Otherwise shear beyond its strength breaks the
-// point.
-// A face that is joined bears compression by its points. Once a point has left the elastic range the face has
-// a crack: the bodies touch there as contacts do (contact/contact_set.h), which bear compression and
-// friction, and what is left of the points holds tension and cohesion only. A broken point then does nothing.
-// Units: N and m; the stiffness of the point's tributary area, its strengths times that area.
+// (Hillerborg, Modeer and Petersson, Cement Concr. Res. 6 (1976) 773-781). In both w is the greatest of
+//   e + D0 (e_edge - e)
+// e_edge the opening of the face's end beside the point, D0 what was left of the strength: a sound face
+// cracks where the stress at its edge reaches the strength, as a beam does, and a damaged point follows its
+// own opening, so that it takes its fracture energy. Ductile, if Fy < Ft: N stays at Fy and p grows; slip
+// beyond the shear strength then flows too. Otherwise shear beyond its strength breaks the point. A face that
+// is joined bears compression by its points. Once a point has left the elastic range the face has a crack:
+// the bodies touch there as contacts do (contact/contact_set.h), which bear compression and friction, and
+// what is left of the points holds tension and cohesion only. A broken point then does nothing. Units: N and
+// m; the stiffness of the point's tributary area, its strengths times that area.
 #pragma once
 
 #include <algorithm>
@@ -34,17 +37,19 @@ struct BondStiffness {
 
 struct BondHistory {
   double plastic = 0.0;  // m, opening that stays
-  double widest = 0.0;   // m, greatest opening less the plastic one
+  double widest = 0.0;   // m, w
   double anchor = 0.0;   // m, where the shear spring is relaxed
   bool broken = false;
-  bool joined = true;  // the face has no crack: its points bear compression
+  bool sheared = false;  // that is why it broke
+  bool joined = true;    // the face has no crack: its points bear compression
   /// Nothing is left of it: the contacts bear what there is to bear.
   bool gone() const { return broken && !joined; }
 };
 
-/// Where a point stands: opening and slip (m) and their rates (m/s).
+/// Where a point stands: opening and slip (m) and their rates (m/s), and the opening of the end of the face.
 struct BondMotion {
   double opening = 0.0, slip = 0.0, opening_rate = 0.0, slip_rate = 0.0;
+  double edge_opening = 0.0;  // m
 };
 
 struct BondForce {
@@ -69,18 +74,21 @@ inline double soundness(const BondStiffness& k, const BondHistory& h) {
   return std::max(0.0, (k.last_opening - h.widest) / (k.last_opening - first));
 }
 
-inline double bond_tension(const BondStiffness& k, double opening, BondHistory& h) {
-  const double e = opening - h.plastic, elastic = k.normal * e;
+/// Widens and breaks a point that is not ductile.
+inline void open_bond(const BondStiffness& k, const BondMotion& m, BondHistory& h) {
+  if (h.broken || k.ductile()) return;
+  h.widest = std::max(h.widest, m.opening + soundness(k, h) * (m.edge_opening - m.opening));
+  h.broken = h.widest * k.normal > k.tension && !(h.widest < k.last_opening);
+}
+
+inline double bond_tension(const BondStiffness& k, const BondMotion& m, BondHistory& h) {
+  open_bond(k, m, h);
+  const double e = m.opening - h.plastic, elastic = k.normal * e;
   if (e <= 0.0) return h.joined ? elastic : 0.0;
   if (h.broken) return 0.0;
-  if (k.ductile()) {
-    h.plastic += std::max(0.0, elastic - k.yield) / k.normal;
-    return std::min(elastic, k.yield);
-  }
-  h.widest = std::max(h.widest, e);
-  if (h.widest * k.normal <= k.tension) return elastic;
-  h.broken = !(h.widest < k.last_opening);
-  return h.broken ? 0.0 : softened_tension(k, e, h.widest);
+  if (!k.ductile()) return softened_tension(k, e, h.widest);
+  h.plastic += std::max(0.0, elastic - k.yield) / k.normal;
+  return std::min(elastic, k.yield);
 }
 
 /// Whether the point has left the elastic range.
@@ -98,11 +106,11 @@ inline BondForce bond_force(const BondStiffness& k, const BondMotion& m, const B
   f.history = history;
   BondHistory& h = f.history;
   if (h.gone()) return f;
-  f.normal = bond_tension(k, m.opening, h);
+  f.normal = bond_tension(k, m, h);
   double limit = shear_limit(k, f.normal, h);
   const double wanted = k.tangential * (m.slip - h.anchor);
   if (std::abs(wanted) > limit && !h.broken && !k.ductile()) {
-    h.broken = true;
+    h.broken = h.sheared = true;
     f.normal = std::min(0.0, k.normal * (m.opening - h.plastic));
     limit = shear_limit(k, f.normal, h);
   }

@@ -1,8 +1,10 @@
 #include "engine/bonds/bonds.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <stdexcept>
 
 #include "engine/bonds/owners.h"
@@ -113,10 +115,33 @@ void add_points(const Bond& bond, const Model& model, std::span<const Frame> fra
   }
 }
 
+// The two points of a bond at some poses.
+struct BondPose {
+  std::array<BondGeometry, 2> geometry;
+  std::array<BondMotion, 2> motion;
+};
+
 BondMotion motion_of(const BondPoint& p, const BondGeometry& g, std::span<const Frame> frames) {
   const Frame &a = frames[p.a], &b = frames[p.b];
   const Vec2 u = b.velocity() - a.velocity() + b.spin * turned(g.arm_b) - a.spin * turned(g.arm_a);
-  return {g.opening, g.slip, dot(g.normal, u), dot(turned(g.normal), u)};
+  return {g.opening, g.slip, dot(g.normal, u), dot(turned(g.normal), u), g.opening};
+}
+
+// The ends of the face open as the line through its points says, which stand at 1/sqrt(3) of the way to them;
+// nothing is known of them once one is broken.
+BondPose pose_of(std::span<const BondPoint> points, std::span<const BondHistory> history,
+                 std::span<const Frame> frames) {
+  BondPose pose;
+  for (const std::size_t k : {0u, 1u}) {
+    pose.geometry[k] = bond_geometry(points[k], frames);
+    pose.motion[k] = motion_of(points[k], pose.geometry[k], frames);
+  }
+  if (history[0].broken || history[1].broken) return pose;
+  constexpr double beyond = 0.5 * (std::numbers::sqrt3 - 1.0);
+  const double tilt = pose.geometry[1].opening - pose.geometry[0].opening;
+  pose.motion[0].edge_opening -= beyond * tilt;
+  pose.motion[1].edge_opening += beyond * tilt;
+  return pose;
 }
 
 void commit_point(const BondMotion& m, const BondForce& f, BondHistory& history, BondPast& past,
@@ -235,25 +260,41 @@ BondGeometry bond_geometry(const BondPoint& point, std::span<const Frame> frames
   return g;
 }
 
+namespace {
+
+void add_force(const BondPoint& p, const BondGeometry& g, const BondForce& f, std::span<Vec2> forces,
+               std::span<double> torques) {
+  const Vec2 on_b =
+      -(f.normal + f.normal_dashpot) * g.normal - (f.tangential + f.tangential_dashpot) * turned(g.normal);
+  forces[p.b] += on_b, forces[p.a] -= on_b;
+  torques[p.b] += cross(g.arm_b, on_b), torques[p.a] -= cross(g.arm_a, on_b);
+}
+
+void note_damage(const BondPoint& p, const BondHistory& before, const BondHistory& after, BondState& state) {
+  state.broken += after.broken && !before.broken;
+  state.cracked |= after.joined && has_cracked(p.law, after);
+}
+
+}  // namespace
+
 BondTotals add_bond_forces(const Model& model, BondState& state, std::span<const Frame> frames, bool commit,
                            std::span<Vec2> forces, std::span<double> torques) {
   BondTotals totals;
-  for (std::size_t i = 0; i < model.bond_points.size(); ++i) {
-    if (state.history[i].gone()) continue;
-    const BondPoint& p = model.bond_points[i];
-    const BondGeometry g = bond_geometry(p, frames);
-    const BondMotion m = motion_of(p, g, frames);
-    const BondForce f = bond_force(p.law, m, state.history[i]);
-    const Vec2 on_b =
-        -(f.normal + f.normal_dashpot) * g.normal - (f.tangential + f.tangential_dashpot) * turned(g.normal);
-    forces[p.b] += on_b, forces[p.a] -= on_b;
-    torques[p.b] += cross(g.arm_b, on_b), torques[p.a] -= cross(g.arm_a, on_b);
-    totals.spring_power += f.normal * m.opening_rate + f.tangential * m.slip_rate;
-    totals.damping_power += f.normal_dashpot * m.opening_rate + f.tangential_dashpot * m.slip_rate;
-    if (!commit) continue;
-    state.broken += f.history.broken && !state.history[i].broken;
-    state.cracked |= f.history.joined && has_cracked(p.law, f.history);
-    commit_point(m, f, state.history[i], state.past[i], totals);
+  for (std::size_t first = 0; first < model.bond_points.size(); first += 2) {
+    const auto points = std::span(model.bond_points).subspan(first, 2);
+    const auto history = std::span(state.history).subspan(first, 2);
+    if (history[0].gone() && history[1].gone()) continue;
+    const BondPose pose = pose_of(points, history, frames);
+    for (const std::size_t k : {0u, 1u}) {
+      const BondMotion& m = pose.motion[k];
+      const BondForce f = bond_force(points[k].law, m, history[k]);
+      add_force(points[k], pose.geometry[k], f, forces, torques);
+      totals.spring_power += f.normal * m.opening_rate + f.tangential * m.slip_rate;
+      totals.damping_power += f.normal_dashpot * m.opening_rate + f.tangential_dashpot * m.slip_rate;
+      if (!commit) continue;
+      note_damage(points[k], history[k], f.history, state);
+      commit_point(m, f, history[k], state.past[first + k], totals);
+    }
   }
   return totals;
 }

@@ -55,6 +55,25 @@ TEST(Settle, BringsAWallToRestWithItsWeightOnTheGround) {
   EXPECT_NEAR(reaction.x / (r.model.total_mass() * 9.81), 0.0, 1e-3);
 }
 
+// A block that hangs from a bonded face: weight that comes at once would strain it twice as far.
+TEST(Settle, BreaksNoBondThatHoldsTheWeightAtRest) {
+  for (const double strength : {1.05, 0.95}) {
+    Scene s = scenes::scene(0.6, 1e9);
+    s.bodies.push_back(scenes::block(0.5, 0.5, {0.0, -0.5}));
+    s.terrains.push_back(scenes::ground(2.0, {0.0, 2.0}));
+    Bond b;
+    b.name = "ceiling";
+    b.a = {true, 0}, b.b = {false, 0};
+    b.start = {-0.5, 0.0}, b.end = {0.5, 0.0};
+    b.tensile_strength = strength * 2400.0 * 9.81;
+    s.bonds.push_back(b);
+    Running r(s);
+    const SettleReport report = settle(r.model, r.state, {.longest_movement = 1.0});
+    EXPECT_EQ(report.settled, strength > 1.0) << strength;
+    EXPECT_EQ(r.state.bonds.broken, strength > 1.0 ? 0u : 2u) << strength;
+  }
+}
+
 TEST(Settle, ReportsABuildingWithoutSupport) {
   Scene s = scenes::scene(0.6);
   s.bodies.push_back(scenes::block(0.5, 0.2, {0.0, 5.0}));
