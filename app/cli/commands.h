@@ -19,8 +19,9 @@ enum ExitCode : int {
 
 struct RunOptions {
   std::string scenario;  // path; empty: defaults and flags
-  std::string layout, record, component, pga, out;
+  std::string layout, record, component, pga, ensemble, out;
   std::vector<std::string> set;  // key=value
+  std::size_t jobs = 0;          // runs at a time; 0: one a processor
   bool force = false;
   bool json = false;
   std::string command;  // as typed

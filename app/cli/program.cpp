@@ -49,6 +49,9 @@ void add_run(CLI::App& app, Request& r) {
   run->add_option("--set", r.run.set, "key=value of the scenario or the layout (docs/scenario.md)")
       ->take_all()
       ->allow_extra_args(false);
+  run->add_option("--ensemble", r.run.ensemble,
+                  "Runs in all, the others with small changes: how sure the answer is (1)");
+  run->add_option("-j,--jobs", r.run.jobs, "Runs at a time (one a processor)")->check(CLI::Range(1, 1024));
   run->add_option("--out", r.run.out, "Folder for the results (dougong-out)");
   run->add_flag("--force", r.run.force, "Write into a folder that already holds something");
   run->add_flag("--json", r.run.json, "Print summary.json on standard output and nothing else there");

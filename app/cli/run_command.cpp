@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <thread>
+
 #include "app/cli/commands.h"
 #include "app/cli/interrupts.h"
 #include "app/cli/output_folder.h"
@@ -11,7 +13,7 @@
 #include "app/report/results_file.h"
 #include "app/report/safe_file.h"
 #include "app/report/summary.h"
-#include "app/study/execute.h"
+#include "app/study/ensemble.h"
 
 namespace dougong::app {
 namespace {
@@ -27,6 +29,7 @@ std::vector<Override> overrides_of(const RunOptions& options) {
   if (!options.record.empty()) overrides.push_back(record_override(options.record));
   add("record.component", options.component, "--component");
   add("record.pga", options.pga, "--pga");
+  add("ensemble.n", options.ensemble, "--ensemble");
   add("output.directory", options.out, "--out");
   for (const std::string& text : options.set) overrides.push_back(parse_override(text));
   return overrides;
@@ -68,6 +71,27 @@ RunResult shake(Preparation& preparation, const std::string& command, Interrupts
   });
   terminal.end_progress();
   return result;
+}
+
+std::size_t jobs_of(const RunOptions& options) {
+  return options.jobs > 0 ? options.jobs : std::max(1u, std::thread::hardware_concurrency());
+}
+
+// The members of the ensemble, unless the run itself was interrupted or never began.
+// What has been computed is saved before it begins.
+void repeat(const Preparation& preparation, std::size_t jobs, const fs::path& directory,
+            Interrupts& interrupts, Terminal& terminal, RunResult& result) {
+  if (preparation.scenario.ensemble.n < 2 || result.partial) return;
+  write_results(result, directory / "results.h5");
+  terminal.line(
+      fmt::format("Running {} more times with small changes ...", preparation.scenario.ensemble.n - 1),
+      Tone::faint);
+  result.ensemble =
+      run_ensemble(preparation, result, records_directory(), jobs, [&](const EnsembleProgress& progress) {
+        terminal.progress(progress);
+        return !interrupts.asked();
+      });
+  terminal.end_progress();
 }
 
 // The report is drawn from what the file holds. A report of an earlier run must not stand beside it.
@@ -135,7 +159,8 @@ int run_command(const RunOptions& options) {
   const OutputFolder folder(scenario.output.directory, options.force);
   Interrupts interrupts(folder.made());
   Preparation preparation = prepare_aloud(scenario, terminal);
-  const RunResult computed = shake(preparation, options.command, interrupts, terminal);
+  RunResult computed = shake(preparation, options.command, interrupts, terminal);
+  repeat(preparation, jobs_of(options), folder.path(), interrupts, terminal, computed);
   say_answer(computed, terminal);
   const RunResult result = save_and_reload(computed, folder.path());
   say_files(folder.path(), draw_report(result, folder.path()) + 1, terminal);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/report/spread_text.h"
 #include "app/report/text.h"
 #include "engine/integrators/table.h"
 
@@ -153,6 +154,10 @@ std::vector<ToneLine> answer_text(const RunResult& r) {
   lines.push_back({row("response", shear_text(r.response))});
   lines.push_back({row("losses", losses_text(r.response, r.model.blocks.size()))});
   lines.push_back({row("numbers", numbers_text(r))});
+  if (r.ensemble.members.size() > 1) {
+    lines.push_back({row("ensemble", collapse_text(r.ensemble))});
+    lines.push_back({row("spread", drift_spread_text(r.ensemble))});
+  }
   for (const std::string& warning : r.numerics.warnings)
     lines.push_back({row("warning", warning), Tone::doubtful});
   return lines;

@@ -104,6 +104,11 @@ void Terminal::progress(const TradeoffProgress& p) {
   show_progress(std::min(static_cast<double>(p.done) + p.part, total), total, describe(p));
 }
 
+void Terminal::progress(const EnsembleProgress& p) {
+  const double total = static_cast<double>(std::max<std::size_t>(p.total, 1));
+  show_progress(static_cast<double>(p.done), total, fmt::format("{} of {} runs", p.done, p.total));
+}
+
 void Terminal::show_progress(double time, double end_time, const std::string& text) {
   const double fraction = end_time > 0.0 ? time / end_time : 1.0;
   if (interactive_) return update_line(fraction, text);

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <string>
 
+#include "app/study/ensemble.h"
 #include "app/study/execute.h"
 #include "app/study/scene_run.h"
 #include "app/study/tradeoff/tradeoff.h"
@@ -23,6 +24,7 @@ class Terminal {
   void progress(const Progress& progress);
   void progress(const SceneProgress& progress);
   void progress(const TradeoffProgress& progress);
+  void progress(const EnsembleProgress& progress);
   void end_progress();
 
  private:

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "app/report/page.h"
+#include "app/report/spread_text.h"
 #include "app/report/text.h"
 #include "engine/scene.h"
 
@@ -126,6 +127,10 @@ Html number_box(const Number& n) {
 }
 
 Html numbers_caveat(const RunResult& run) {
+  const bool ensemble = run.ensemble.members.size() > 1;
+  if (ensemble && run.verdict.kind != VerdictKind::numerically_invalid)
+    return paragraph("With small changes of the building and the motion it " + collapse_text(run.ensemble) +
+                     "; " + drift_spread_text(run.ensemble) + ".");
   if (run.verdict.kind != VerdictKind::numerically_invalid) {
     return paragraph(
         "Single run: no spread computed. How far these numbers would move under small changes is not known "

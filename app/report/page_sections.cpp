@@ -272,9 +272,8 @@ Html page_numerics(const RunResult& run, const std::vector<Picture>& pictures) {
   return warning_list(run) + numerics_table(run) +
          plot(pictures, "overlap",
               "How deep blocks were pressed into each other, against the smaller block's width.", "") +
-         paragraph(
-             "Not done in this run: a second run with half the step, and an ensemble. Without them the "
-             "numbers carry no spread.");
+         paragraph(run.ensemble.half_step.done ? "What half the step changes stands under How sure."
+                                               : "Not done in this run: a second run with half the step.");
 }
 
 Html page_limits(const RunResult& run) {

@@ -1,8 +1,9 @@
 // The one list of what a results file holds: group, name and unit of every field of a RunResult. The
 // writer and the reader both walk it, so they cannot disagree.
 //
-// An Archive has group(name, inner), field(name, unit, value), matrix(name, unit, values, shape),
-// rows(name, list, inner) for numbered groups and column(name, unit, list, member) for tables.
+// An Archive has group(name, inner), optional_group(name, inner) for what older files lack, field(name, unit,
+// value), matrix(name, unit, values, shape), rows(name, list, inner) for numbered groups and column(name,
+// unit, list, member) for tables.
 #pragma once
 
 #include "app/study/run_result.h"
@@ -187,6 +188,23 @@ void walk_reproducibility(A& a, R& r) {
   a.field("cpu_seconds", "s", r.cpu_seconds);
 }
 
+template <class A, class M>
+void walk_member(A& a, M& member) {
+  a.field("verdict", "", member.verdict);
+  a.field("state_hash", "", member.state_hash);
+  a.field("values", "", member.values);
+  a.field("done", "", member.done);
+}
+
+template <class A, class E>
+void walk_ensemble(A& a, E& ensemble) {
+  walk_named_values(a, "perturbations", ensemble.perturbations);
+  a.field("metrics", "", ensemble.metrics);
+  a.field("units", "", ensemble.units);
+  a.rows("members", ensemble.members, [&](auto& member) { walk_member(a, member); });
+  a.group("half_step", [&] { walk_member(a, ensemble.half_step); });
+}
+
 /// `Run` is a RunResult, const for a writer.
 template <class A, class Run>
 void walk_run(A& a, Run& run) {
@@ -209,6 +227,7 @@ void walk_run(A& a, Run& run) {
   a.group("energy", [&] { walk_energy(a, run.energy); });
   a.group("numerics", [&] { walk_numerics(a, run.numerics); });
   a.group("reproducibility", [&] { walk_reproducibility(a, run.reproducibility); });
+  a.optional_group("ensemble", [&] { walk_ensemble(a, run.ensemble); });
   a.table("moments", run.moments, [&] {
     a.column("time", "s", run.moments, &Moment::time);
     a.column("caption", "", run.moments, &Moment::caption);

@@ -38,6 +38,10 @@ class Reader {
     inner();
     here_ = above;
   }
+  template <class Inner>
+  void optional_group(const std::string& name, Inner inner) {
+    if (h5::has(here_, name)) group(name, inner);
+  }
   template <class Rows, class Inner>
   void table(const std::string& name, Rows& rows, Inner inner) {
     rows.clear();

@@ -24,6 +24,10 @@ class ResultsWriter {
     inner();
     here_ = above;
   }
+  template <class Inner>
+  void optional_group(const std::string& name, Inner inner) {
+    group(name, inner);
+  }
   template <class Rows, class Inner>
   void table(const std::string& name, const Rows&, Inner inner) {
     group(name, inner);

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/report/spread_text.h"
+
 namespace dougong::app {
 namespace {
 
@@ -123,6 +125,42 @@ Json provenance_part(const RunResult& run) {
           {"not_modelled", run.model.not_modelled}};
 }
 
+Json spread_part(const EnsembleSheet& ensemble, std::size_t metric) {
+  const Spread s = spread_of_metric(ensemble, metric);
+  const auto of = [&](const EnsembleMember& member) {
+    return member.done && metric < member.values.size() ? number(member.values[metric]) : Json(nullptr);
+  };
+  return {{"name", ensemble.metrics[metric]},
+          {"unit", ensemble.units[metric]},
+          {"runs", s.count},
+          {"described", of(ensemble.members.front())},
+          {"half_step", of(ensemble.half_step)},
+          {"least", number(s.least)},
+          {"low", number(s.low)},
+          {"median", number(s.median)},
+          {"high", number(s.high)},
+          {"most", number(s.most)}};
+}
+
+Json ensemble_part(const EnsembleSheet& ensemble) {
+  const VerdictCount count = count_verdicts(ensemble);
+  const Share collapse = count.collapse();
+  Json metrics = Json::array(), changes = Json::array();
+  for (std::size_t i = 0; i < ensemble.metrics.size(); ++i) metrics.push_back(spread_part(ensemble, i));
+  for (const NamedValue& p : ensemble.perturbations)
+    changes.push_back({{"name", p.name}, {"value", p.value}, {"meaning", p.meaning}});
+  return {{"runs", ensemble.members.size()},
+          {"survived", count.survived},
+          {"collapsed", count.collapsed},
+          {"undecided", count.undecided},
+          {"numerically_invalid", count.invalid},
+          {"left_out", count.left_out},
+          {"collapse_probability", collapse.trials > 0 ? number(collapse.value()) : Json(nullptr)},
+          {"collapse_interval", {number(collapse.low), number(collapse.high)}},
+          {"metrics", metrics},
+          {"changes", changes}};
+}
+
 Json reproducibility_part(const Reproducibility& r) {
   return {{"version", r.version},
           {"git_hash", r.git_hash},
@@ -139,16 +177,17 @@ Json reproducibility_part(const Reproducibility& r) {
 }  // namespace
 
 std::string summary_json(const RunResult& run, const std::vector<std::string>& files) {
-  const Json out{{"format", "dougong summary"},
-                 {"format_version", summary_format_version},
-                 {"partial", run.partial},
-                 {"verdict", verdict_part(run)},
-                 {"metrics", metrics_part(run)},
-                 {"energy", energy_part(run.energy)},
-                 {"numerics", numerics_part(run)},
-                 {"provenance", provenance_part(run)},
-                 {"reproducibility", reproducibility_part(run.reproducibility)},
-                 {"files", files}};
+  Json out{{"format", "dougong summary"},
+           {"format_version", summary_format_version},
+           {"partial", run.partial},
+           {"verdict", verdict_part(run)},
+           {"metrics", metrics_part(run)},
+           {"energy", energy_part(run.energy)},
+           {"numerics", numerics_part(run)},
+           {"provenance", provenance_part(run)},
+           {"reproducibility", reproducibility_part(run.reproducibility)},
+           {"files", files}};
+  if (run.ensemble.members.size() > 1) out["ensemble"] = ensemble_part(run.ensemble);
   return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -53,13 +53,16 @@ void refuse_too_much_output(const Preparation& p) {
 
 }  // namespace
 
-Preparation prepare(const Scenario& scenario, const std::filesystem::path& records_directory) {
+Preparation prepare(const Scenario& scenario, const std::filesystem::path& records_directory,
+                    std::size_t member) {
   Preparation p;
   p.scenario = scenario;
   p.building = structures::build_layout(scenario.layout.name, scenario.layout.parameters);
   p.findings = structures::check_model(p.building);
   refuse_errors(p.findings);
+  perturb(p.building, scenario.ensemble.perturbation, member);
   p.motion = make_motion(scenario, records_directory);
+  p.motion.ground = perturbed(p.motion.ground, scenario.ensemble.perturbation, member);
   for (engine::Terrain& terrain : p.building.scene.terrains) terrain.motion = p.motion.ground;
   p.model = engine::compile(p.building.scene);
   p.state = engine::initial_state(p.model, p.building.scene);

@@ -37,8 +37,10 @@ class ModelError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Throws LayoutError, ModelError, seismic::InputError, std::invalid_argument.
-Preparation prepare(const Scenario& scenario, const std::filesystem::path& records_directory);
+/// `member`: of the scenario's ensemble; 0: as described. Throws LayoutError, ModelError,
+/// seismic::InputError, std::invalid_argument.
+Preparation prepare(const Scenario& scenario, const std::filesystem::path& records_directory,
+                    std::size_t member = 0);
 
 /// The building of a scenario or of a layout alone, checked; without a motion. Throws as above.
 ModelSheet model_sheet(const structures::Building& building);

@@ -134,6 +134,22 @@ struct Numerics {
   std::vector<std::string> warnings;
 };
 
+/// One run of an ensemble, reduced to its numbers.
+struct EnsembleMember {
+  structures::VerdictKind verdict = structures::VerdictKind::undecided;
+  std::string state_hash;
+  std::vector<double> values;  // of EnsembleSheet::metrics
+  bool done = false;           // false: it was not run to its end
+};
+
+/// The run again with small changes. Without members it was run once.
+struct EnsembleSheet {
+  std::vector<NamedValue> perturbations;  // what was changed, by how much at most
+  std::vector<std::string> metrics, units;
+  std::vector<EnsembleMember> members;  // the run as described first
+  EnsembleMember half_step;             // the run as described with half the step
+};
+
 struct Reproducibility {
   std::string version, git_hash, compiler, command, scenario, scenario_sha256, record_sha256, state_hash;
   std::string started;  // ISO 8601, UTC
@@ -159,6 +175,7 @@ struct RunResult {
   Numerics numerics;
   Reproducibility reproducibility;
   std::vector<Moment> moments;
+  EnsembleSheet ensemble;
   /// Where the terrains of a free scene are in the pictures (m), [time][terrain]; empty where they stand
   /// still in them. Only in memory.
   std::vector<engine::Vec2> terrain_displacement;

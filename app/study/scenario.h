@@ -12,6 +12,7 @@
 
 #include "app/study/integration_choice.h"
 #include "app/study/override.h"
+#include "app/study/perturbation.h"
 #include "structures/layouts/layout.h"
 #include "structures/response.h"
 #include "structures/verdict.h"
@@ -58,6 +59,12 @@ struct SolveChoice : IntegrationChoice {
   bool settle = true;                          // under gravity, before the motion
 };
 
+struct EnsembleChoice {
+  double n = 1;  // runs in all, the one described first
+  bool half_step = true;
+  Perturbation perturbation;
+};
+
 struct OutputChoice {
   double rate = 100.0;  // Hz
   std::string directory = "dougong-out";
@@ -70,6 +77,7 @@ struct Scenario {
   SolveChoice solve;
   structures::LossCriteria loss;
   structures::VerdictCriteria verdict;
+  EnsembleChoice ensemble;
   OutputChoice output;
 };
 

@@ -17,10 +17,17 @@ Slot slot(Scenario& scenario) {
   return &(scenario.*Section.*Member);
 }
 
+template <auto Member>
+Slot perturbation(Scenario& scenario) {
+  return &(scenario.ensemble.perturbation.*Member);
+}
+
 using S = Scenario;
 using R = RecordChoice;
 using C = Conditioning;
 using V = SolveChoice;
+using E = EnsembleChoice;
+using P = Perturbation;
 using O = OutputChoice;
 using L = structures::LossCriteria;
 using J = structures::VerdictCriteria;
@@ -131,6 +138,22 @@ std::vector<ScenarioKey> make_table() {
              "undecided when a block leans by more than this part of its own toppling angle"),
       number("verdict.drift_growth", slot<&S::verdict, &J::drift_growth>, ratio, 0, endless,
              "undecided when a drift grows by more than this in the last second"),
+
+      number("ensemble.n", slot<&S::ensemble, &E::n>, count, 1, 10000,
+             "runs in all: as described, and with small changes; 1: a single run"),
+      flag("ensemble.half_step", slot<&S::ensemble, &E::half_step>,
+           "with more than one run: once more with half the step, for the numerical error"),
+      number("ensemble.position_change", perturbation<&P::position>, length, 0, 1,
+             "changes sideways of where each block, or tied part, stands, up to this"),
+      number("ensemble.friction_change", perturbation<&P::friction>, ratio, 0, 1,
+             "changes of each friction coefficient, up to this part of it"),
+      number("ensemble.strength_change", perturbation<&P::strength>, ratio, 0, 1,
+             "changes of each bond's strengths, up to this part of them"),
+      number("ensemble.damping_change", perturbation<&P::damping>, ratio, 0, 1,
+             "changes of each damping, up to this part of it"),
+      number("ensemble.amplitude_change", perturbation<&P::amplitude>, ratio, 0, 1,
+             "changes of the motion, up to this part of it"),
+      number("ensemble.seed", perturbation<&P::seed>, count, 0, 1e9, "of the random numbers"),
 
       number("output.rate", slot<&S::output, &O::rate>, frequency, 0.01, 1e6, "output times a second"),
       text("output.directory", slot<&S::output, &O::directory>, "where the results are written"),

@@ -70,6 +70,19 @@ TEST_F(Run, PipedOutputIsPlainAndSaysTheAnswer) {
   EXPECT_THAT(ran.out, Not(HasSubstr("\r")));
 }
 
+TEST_F(Run, AnEnsembleSaysHowSureTheAnswerIs) {
+  const Ran ran = run(short_run("out", {"--ensemble", "3", "-j", "2"}));
+  EXPECT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_THAT(ran.out, HasSubstr("collapsed in 0 of 3 runs: probability 0.00, 95 % interval 0.00 to 0.56"));
+  EXPECT_THAT(ran.out, HasSubstr("with half the step"));
+  const json ensemble = summary("out").at("ensemble");
+  EXPECT_EQ(ensemble.at("runs"), 3);
+  EXPECT_EQ(ensemble.at("survived"), 3);
+  EXPECT_EQ(read_results(folder() / "out/results.h5").ensemble.members.size(), 3u);
+  const Ran again = run({"report", "out"});
+  EXPECT_THAT(again.out, HasSubstr("collapsed in 0 of 3 runs"));
+}
+
 TEST_F(Run, JsonIsAloneOnStandardOutputAndKeepsToItsSchema) {
   const Ran ran = run(short_run("out", {"--json"}));
   EXPECT_EQ(ran.exit_code, 0) << ran.err;

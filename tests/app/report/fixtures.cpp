@@ -266,7 +266,28 @@ RunResult slab_building(std::size_t storeys) {
   return run;
 }
 
+// Four members, one of them invalid and one left out, and half the step; the first loss never happened in
+// two.
+EnsembleSheet small_ensemble() {
+  const double never = std::numeric_limits<double>::quiet_NaN();
+  EnsembleSheet e;
+  e.perturbations = {{"friction", "± 2 %", "of every material"}};
+  e.metrics = {"peak drift", "first loss of support"}, e.units = {"1", "s"};
+  e.members = {{VerdictKind::collapsed, "a1", {0.031, 11.3}, true},
+               {VerdictKind::survived, "a2", {0.021, never}, true},
+               {VerdictKind::numerically_invalid, "a3", {9.0, 1.0}, true},
+               {VerdictKind::undecided, "", {}, false}};
+  e.half_step = {VerdictKind::collapsed, "a4", {0.033, 11.4}, true};
+  return e;
+}
+
 }  // namespace
+
+RunResult repeated() {
+  RunResult run = collapsed();
+  run.ensemble = small_ensemble();
+  return run;
+}
 
 RunResult survived() {
   const Shaking s;

@@ -6,6 +6,7 @@
 namespace dougong::app::fixtures {
 
 RunResult survived();     // four storeys of two columns and a slab
+RunResult repeated();     // the collapsed one, with an ensemble
 RunResult collapsed();    // the same, the two lowest storeys lost
 RunResult brick_wall();   // 1000 bricks, 20 storeys in name
 RunResult partial();      // interrupted

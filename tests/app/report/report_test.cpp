@@ -115,6 +115,17 @@ TEST(Report, AFolderThatCannotBeMadeIsNamed) {
   }
 }
 
+TEST(Page, SaysHowSureItIs) {
+  const std::string page = report_page(fixtures::repeated(), {});
+  EXPECT_THAT(
+      page, HasSubstr("collapsed in 1 of 2 runs: probability 0.50, 95 % interval 0.09 to 0.91; 1 numerically "
+                      "invalid; 1 not run to their end"));
+  EXPECT_THAT(page, HasSubstr("Half the step changes the peak drift by 0.2"));
+  EXPECT_THAT(page, HasSubstr("11.30 s"));
+  EXPECT_THAT(page, Not(HasSubstr("900 %"))) << "numbers that failed are no part of a spread";
+  EXPECT_THAT(report_page(fixtures::survived(), {}), HasSubstr("Not known from this run: it was made once."));
+}
+
 TEST(Page, SaysTheVerdictTheNumbersAndThatThereIsNoSpread) {
   const std::string page = page_of(fixtures::collapsed());
   for (const char* words :

@@ -25,6 +25,10 @@ class Bytes {
   std::string out;
 
   template <class Inner>
+  void optional_group(const std::string& name, Inner inner) {
+    group(name, inner);
+  }
+  template <class Inner>
   void group(const std::string& name, Inner inner) {
     out += name + "{";
     inner();
@@ -110,8 +114,8 @@ class FullDisk {
 };
 
 TEST(ResultsFile, EveryFieldComesBackBitForBit) {
-  for (const RunResult& run :
-       {fixtures::collapsed(), fixtures::brick_wall(), fixtures::partial(), fixtures::motionless()}) {
+  for (const RunResult& run : {fixtures::collapsed(), fixtures::repeated(), fixtures::brick_wall(),
+                               fixtures::partial(), fixtures::motionless()}) {
     const RunResult back = round_trip(run);
     EXPECT_EQ(bytes_of(back), bytes_of(run)) << run.verdict.headline;
   }

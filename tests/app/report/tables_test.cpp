@@ -89,13 +89,14 @@ double number(const std::string& text) {
 }
 
 TEST(Summary, FollowsItsSchema) {
-  for (const RunResult& run : {fixtures::survived(), fixtures::collapsed(), fixtures::partial(),
-                               fixtures::motionless(), RunResult{}}) {
+  for (const RunResult& run : {fixtures::survived(), fixtures::repeated(), fixtures::collapsed(),
+                               fixtures::partial(), fixtures::motionless(), RunResult{}}) {
     EXPECT_THAT(violations(Json::parse(summary_json(run, {"drift.csv"}))), testing::IsEmpty());
   }
 }
 
 TEST(Summary, TheCheckSeesAMissingAndAnUnexpectedKey) {
+  EXPECT_THAT(summary_json(fixtures::repeated(), {}), testing::HasSubstr("collapse_probability"));
   Json summary = Json::parse(summary_json(fixtures::survived(), {}));
   summary["metrics"].erase("weight");
   summary["surprise"] = 1;

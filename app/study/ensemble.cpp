@@ -1,0 +1,115 @@
+#include "app/study/ensemble.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <mutex>
+#include <thread>
+
+#include "app/study/metrics.h"
+#include "engine/integrators/table.h"
+
+namespace dougong::app {
+namespace {
+
+// With what a run differs from the one described.
+struct Variation {
+  std::size_t member = 0;
+  bool half_step = false;
+};
+
+std::vector<NamedValue> sheet_of(const Perturbation& p) {
+  const auto percent = [](double part) { return fmt::format("± {:.3g} %", 100.0 * part); };
+  return {{"position", fmt::format("± {:.3g} mm", 1e3 * p.position), "sideways, of every block"},
+          {"friction", percent(p.friction), "of every material and bond"},
+          {"strength", percent(p.strength), "of every bond"},
+          {"damping", percent(p.damping), "of every material, bond and joint"},
+          {"amplitude", percent(p.amplitude), "of the ground motion"},
+          {"seed", fmt::format("{:.0f}", p.seed), "of the numbers, each uniform within its range"}};
+}
+
+// As it was run, with steps half as long, or a tenth of the tolerance.
+void refine(engine::DriveOptions& drive, double step) {
+  if (engine::traits_of(drive.integrator).adaptive)
+    drive.tolerance *= 0.1;
+  else
+    drive.step = 0.5 * step;
+}
+
+EnsembleMember run_one(const Preparation& described, const Variation& v,
+                       const std::filesystem::path& records_directory, const ProgressObserver& go_on) {
+  Preparation p = prepare(described.scenario, records_directory, v.member);
+  if (v.half_step) refine(p.drive, described.plan.step);
+  const RunResult run = execute(p, "", go_on);
+  return member_of(run);
+}
+
+// Runs tasks 0 .. count - 1 on so many threads; the first exception ends them all and is thrown.
+template <class Task>
+void share_tasks(std::size_t count, std::size_t jobs, const Task& task) {
+  std::atomic<std::size_t> next{0};
+  std::exception_ptr failure;
+  std::mutex mutex;
+  const auto work = [&] {
+    for (std::size_t i = next++; i < count; i = next++) try {
+        task(i);
+      } catch (...) {
+        const std::lock_guard lock(mutex);
+        if (!failure) failure = std::current_exception();
+        next = count;
+      }
+  };
+  {
+    std::vector<std::jthread> others;
+    for (std::size_t i = 1; i < std::min(jobs, count); ++i) others.emplace_back(work);
+    work();
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace
+
+EnsembleMember member_of(const RunResult& run) {
+  EnsembleMember member;
+  member.verdict = run.verdict.kind;
+  member.state_hash = run.reproducibility.state_hash;
+  member.done = !run.partial;
+  for (const Metric& metric : metrics_of(run.response)) member.values.push_back(metric.value);
+  return member;
+}
+
+EnsembleSheet run_ensemble(const Preparation& described, const RunResult& run,
+                           const std::filesystem::path& records_directory, std::size_t jobs,
+                           const EnsembleObserver& progress) {
+  const EnsembleChoice& choice = described.scenario.ensemble;
+  EnsembleSheet sheet;
+  sheet.perturbations = sheet_of(choice.perturbation);
+  for (const Metric& metric : metrics_of(run.response))
+    sheet.metrics.push_back(metric.name), sheet.units.push_back(metric.unit);
+  const auto n = static_cast<std::size_t>(choice.n);
+  sheet.members.resize(n);
+  sheet.members[0] = member_of(run);
+  std::vector<Variation> variations;
+  for (std::size_t i = 1; i < n; ++i) variations.push_back({i, false});
+  if (choice.half_step) variations.push_back({0, true});
+
+  std::mutex mutex;
+  EnsembleProgress state{0, variations.size()};
+  std::atomic<bool> stopped{false};
+  share_tasks(variations.size(), jobs, [&](std::size_t i) {
+    const Variation& v = variations[i];
+    if (stopped) return;
+    EnsembleMember member = run_one(described, v, records_directory, [&](const Progress&) {
+      const std::lock_guard lock(mutex);
+      if (progress && !progress(state)) stopped = true;
+      return !stopped;
+    });
+    const std::lock_guard lock(mutex);
+    (v.half_step ? sheet.half_step : sheet.members[v.member]) = std::move(member);
+    ++state.done;
+  });
+  return sheet;
+}
+
+}  // namespace dougong::app

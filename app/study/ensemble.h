@@ -1,0 +1,26 @@
+// How sure a run is: the same run again with small changes (perturbation.h), and once more with half the
+// step. Members run in parallel; each is the same whatever the order and the number of threads.
+#pragma once
+
+#include <functional>
+
+#include "app/study/execute.h"
+
+namespace dougong::app {
+
+struct EnsembleProgress {
+  std::size_t done = 0, total = 0;  // runs
+};
+/// Returns false to stop: what is not done is left out. Called by one thread at a time.
+using EnsembleObserver = std::function<bool(const EnsembleProgress&)>;
+
+/// What an ensemble keeps of a run.
+EnsembleMember member_of(const RunResult& run);
+
+/// The other members of the run `described`, whose preparation it was. jobs: threads, at least 1. Throws as
+/// prepare().
+EnsembleSheet run_ensemble(const Preparation& preparation, const RunResult& described,
+                           const std::filesystem::path& records_directory, std::size_t jobs,
+                           const EnsembleObserver& progress = {});
+
+}  // namespace dougong::app
