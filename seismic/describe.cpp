@@ -6,6 +6,7 @@
 #include "seismic/measures/intensity.h"
 #include "seismic/measures/peaks.h"
 #include "seismic/measures/response_spectrum.h"
+#include "seismic/measures/spectrum_intensity.h"
 
 namespace dougong::seismic {
 namespace {
