@@ -70,7 +70,7 @@ std::vector<Quantity> quantities(const seismic::GroundHistory& h, bool dimension
 }
 
 Panel husid_panel(const RecordSheet& sheet, const std::vector<double>& at) {
-  Panel panel{"Husid, I/I_A (%)", {}, {}, "", ink::quiet, 104, 1.0};
+  Panel panel{"Husid curve (%)", {}, {}, "", ink::quiet, 104, 1.0};
   panel.curves.push_back({at,
                           times(seismic::husid(sheet.history.acceleration, sheet.history.interval), 100.0),
                           category(1), 1.4, false, ""});

@@ -49,7 +49,7 @@ double design_acceleration(const Asce7& s, double period) {
 
 DesignSpectrum design_spectrum(const Asce7& s) {
   DesignSpectrum out;
-  out.name = fmt::format("ASCE 7-16, SDS {:g}, SD1 {:g} g, TL {:g} s", s.sds, s.sd1, s.long_period);
+  out.name = fmt::format("ASCE 7-16, SDS {:.4g}, SD1 {:.4g} g, TL {:g} s", s.sds, s.sd1, s.long_period);
   out.clause = "11.4.6";
   out.acceleration = [s](double period) { return standard_gravity * design_acceleration(s, period); };
   return out;

@@ -47,7 +47,8 @@ double elastic_spectrum(const Eurocode8& s, double period) {
 
 DesignSpectrum design_spectrum(const Eurocode8& s) {
   DesignSpectrum out;
-  out.name = fmt::format("{}, ag {:g} m/s2, {:g} %", s.title, s.ground_acceleration, 100.0 * s.damping_ratio);
+  out.name =
+      fmt::format("{}, ag {:.4g} m/s2, {:g} %", s.title, s.ground_acceleration, 100.0 * s.damping_ratio);
   out.clause = "EN 1998-1:2004, 3.2.2.2";
   out.longest_period = longest;
   out.damping_ratio = s.damping_ratio;
