@@ -15,7 +15,7 @@ namespace {
 
 struct Avx2 {
   using Lanes [[gnu::vector_size(32)]] = double;
-  static constexpr std::size_t side_by_side = 4;
+  static constexpr std::size_t side_by_side = 3;
   [[gnu::always_inline]] static Lanes magnitude(Lanes x) { return _mm256_andnot_pd(_mm256_set1_pd(-0.0), x); }
   [[gnu::always_inline]] static Lanes larger(Lanes a, Lanes b) { return _mm256_max_pd(a, b); }
   [[gnu::always_inline]] static void put(Lanes& to, std::size_t lane, double value) { to[lane] = value; }

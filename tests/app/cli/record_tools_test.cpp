@@ -115,6 +115,32 @@ TEST_F(RecordTools, PlotDrawsOneSheetAndWritesTheHistories) {
   expect_refusal({"record", "plot", "kobe", "--out", "k.jpg"}, {".png or .svg"});
 }
 
+TEST_F(RecordTools, ProcessScaleAndSpectrumDrawTheirs) {
+  EXPECT_EQ(run({"record", "process", "wenchuan", "--plot", "p.svg"}).exit_code, 0);
+  EXPECT_THAT(read("p.svg"), AllOf(HasSubstr("Before and after conditioning"), HasSubstr("as read")));
+  EXPECT_EQ(run({"record", "scale", "kobe", "tohoku", "--target", "jra: type=2, ground=2", "--plot", "s.svg"})
+                .exit_code,
+            0);
+  EXPECT_THAT(read("s.svg"), AllOf(HasSubstr("JRA 2017"), HasSubstr("mean of 2"), HasSubstr("target")));
+  EXPECT_EQ(run({"record", "spectrum", "kobe", "--rotated", "--count", "20", "--plot", "r.svg"}).exit_code,
+            0);
+  EXPECT_THAT(read("r.svg"), AllOf(HasSubstr("RotD50"), HasSubstr("RotD100")));
+}
+
+TEST_F(RecordTools, OfARecordOfZerosAreZeroAndNeverFail) {
+  std::string zeros = "time,a\n";
+  for (int k = 0; k < 400; ++k) zeros += std::to_string(0.01 * k) + ",0\n";
+  write("z.csv", zeros);
+  const json groups = answer({"record", "measure", "z.csv", "--units", "g", "--period", "1 s"}).at("groups");
+  for (const json& m : groups[0].at("measures")) EXPECT_EQ(m.at("value").get<double>(), 0.0) << m.at("name");
+  EXPECT_EQ(run({"record", "plot", "z.csv", "--units", "g", "--out", "z.png"}).exit_code, 0);
+  EXPECT_EQ(answer({"record", "spectrum", "z.csv", "--units", "g", "--ductility", "4", "--periods", "1 s"})
+                .at("columns")
+                .at("yield_acceleration_m_s2")[0],
+            0.0);
+  expect_refusal({"record", "scale", "z.csv", "--units", "g", "--pga", "1 g"}, {"zero", "cannot be scaled"});
+}
+
 // --- scale --------------------------------------------------------------------------------------------
 
 TEST_F(RecordTools, ScaleMeetsAPgaAnOrdinateAndAFloor) {
