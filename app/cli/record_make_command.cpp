@@ -12,6 +12,7 @@
 #include "seismic/synthesis/compatible_motion.h"
 #include "seismic/synthesis/finite_fault.h"
 #include "seismic/synthesis/pulses.h"
+#include "seismic/synthesis/scenario.h"
 
 namespace dougong::app {
 namespace {
@@ -248,6 +249,27 @@ Made make_fault(WordKeys& keys, double h) {
                        seismic::closest_distance(parts) / km, seed, component)}};
 }
 
+// Another realisation of a shipped earthquake.
+Made make_styled(WordKeys& keys, double h) {
+  const std::string name = keys.word("name");
+  std::string known;
+  for (seismic::Scenario scenario : seismic::shipped_scenarios()) {
+    known += (known.empty() ? "" : ", ") + scenario.alias;
+    if (name != scenario.alias) continue;
+    scenario.seed = seed_of(keys);
+    scenario.interval = h;
+    const std::string component = keys.word("component", "EW");
+    seismic::ThreeComponents motion = seismic::simulate(scenario);
+    std::vector<std::string> said = {
+        fmt::format("{}, seed {}, {}", scenario.title, scenario.seed, component)};
+    if (component == "EW") return {std::move(motion.east_west), said};
+    if (component == "NS") return {std::move(motion.north_south), said};
+    if (component == "UD") return {std::move(motion.up_down), said};
+    keys.fail("component: expected EW, NS or UD, found \"" + component + "\"");
+  }
+  keys.fail("name: expected one of " + known + ", found \"" + name + "\"");
+}
+
 struct Kind {
   const char* name;
   Made (*make)(WordKeys&, double interval);
@@ -269,6 +291,7 @@ const Kind kinds[] = {
     {"noise", make_noise, "Gaussian white noise", "deviation, duration, ramp, seed"},
     {"compatible", make_compatible, "noise shaped until its spectrum follows a target",
      "target (as --target of record scale, with ; for ,), from, to, duration, rounds, seed"},
+    {"styled", make_styled, "another realisation of a shipped earthquake", "name, component, seed"},
     {"point-source", make_point, "stochastic point source",
      "magnitude, stress-drop, distance, and of the crust"},
     {"finite-fault", make_fault, "stochastic finite fault",

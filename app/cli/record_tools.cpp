@@ -1,5 +1,6 @@
 #include "app/cli/record_tools.h"
 
+#include <CLI/CLI.hpp>
 #include <memory>
 
 #include "app/cli/target_choice.h"

@@ -1,12 +1,15 @@
 // The commands of `dougong record` that measure, condition, draw, scale, turn and make motions.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "app/cli/record_source.h"
+
+namespace CLI {
+class App;
+}
 
 namespace dougong::app {
 

@@ -82,8 +82,8 @@ std::vector<ScenarioKey> make_table() {
       number("conditioning.low_pass", slot<&S::conditioning, &C::low_pass>, frequency, tiny, 1e3,
              "upper corner of the filter; none: 25 Hz, or no upper corner for a record that its publisher "
              "filtered or whose samples end below 28 Hz"),
-      number("conditioning.filter_order", slot<&S::conditioning, &C::filter_order>, count, 2, 12,
-             "order of the Butterworth filter, even"),
+      number("conditioning.filter_order", slot<&S::conditioning, &C::filter_order>, count, 1, 12,
+             "order of the Butterworth filter"),
       text("conditioning.filter_phase", slot<&S::conditioning, &C::filter_phase>,
            "forward and backward, without shift of phase; or forward alone: nothing moves before the record",
            {"zero", "causal"}),

@@ -16,11 +16,12 @@ namespace dougong::seismic {
 namespace {
 
 constexpr const char* where = "ground motion options";
-constexpr double usual_low_pass = 25.0;  // Hz
-constexpr double highest_corner = 0.9;   // of the Nyquist frequency, for the usual low pass
-constexpr double residual_limit = 0.01;  // of the peak velocity and displacement, before a warning
-constexpr double least_samples = 10.0;   // of a record in the period of a building
-constexpr double usable_above = 1.25;    // of a high-pass corner: PEER's lowest usable frequency
+constexpr double usual_low_pass = 25.0;   // Hz
+constexpr double highest_corner = 0.9;    // of the Nyquist frequency, for the usual low pass
+constexpr double residual_limit = 0.01;   // of the peak velocity and displacement, before a warning
+constexpr double most_pad_samples = 1e7;  // at each end: what memory should bear
+constexpr double least_samples = 10.0;    // of a record in the period of a building
+constexpr double usable_above = 1.25;     // of a high-pass corner: PEER's lowest usable frequency
 
 struct Trace {
   std::string component;
@@ -56,9 +57,21 @@ void require(std::vector<InputProblem>& problems, bool holds, std::string expect
   if (!holds) problems.push_back({where, 0, std::move(expected), std::move(found)});
 }
 
+// s. Without a lower corner the answer of the filter is short: that of 1 Hz.
+double needed_pad(int order, std::optional<double> high_pass) {
+  return 1.5 * order / (2.0 * high_pass.value_or(1.0));
+}
+
+void check_pads(const ConditioningOptions& o, double interval, std::vector<InputProblem>& problems) {
+  const double pad = o.pad.value_or(o.filter ? needed_pad(o.order, o.high_pass) : 0.0);
+  require(problems, pad / interval <= most_pad_samples,
+          fmt::format("pads of at most {:g} samples", most_pad_samples),
+          fmt::format("{:.4g} s of zeros at each end{}", pad,
+                      o.pad ? "" : " for this high-pass corner, unless a pad is given"));
+}
+
 void check_corners(const ConditioningOptions& o, double nyquist, std::vector<InputProblem>& problems) {
-  require(problems, o.order >= 2 && o.order <= 12 && o.order % 2 == 0, "an even filter order from 2 to 12",
-          std::to_string(o.order));
+  require(problems, o.order >= 1 && o.order <= 12, "a filter order from 1 to 12", std::to_string(o.order));
   if (o.high_pass) {
     require(problems, *o.high_pass > 0.0 && *o.high_pass < nyquist,
             fmt::format("a high-pass corner between 0 and the Nyquist frequency, {:g} Hz", nyquist),
@@ -119,6 +132,7 @@ void check(const RecordSet& records, const ConditioningOptions& o) {
   }
   check_scale(records, o, problems);
   if (o.filter) check_corners(o, 0.5 / record.interval, problems);
+  check_pads(o, record.interval, problems);
   if (const auto baseline = chosen_baseline(o)) {
     const int least = baseline->of_velocity ? 1 : 0;
     require(problems, baseline->degree >= least && baseline->degree <= highest_baseline_degree,
@@ -289,9 +303,8 @@ void filter(Job& job, const ConditioningOptions& options, bool processed) {
   const Band band = chosen_band(job, options, processed, remark);
   if (!options.filter || (!band.high_pass && !band.low_pass)) return job.said.push_back("filter: none");
   job.band = band;
-  // Without a lower corner the answer of the filter is short: that of 1 Hz.
-  const double usual_pad = 1.5 * options.order / (2.0 * band.high_pass.value_or(1.0));
-  const std::size_t pad = samples_in(options.pad.value_or(usual_pad), job.interval);
+  const std::size_t pad =
+      samples_in(options.pad.value_or(needed_pad(options.order, band.high_pass)), job.interval);
   const std::size_t kept = std::min(pad, samples_in(options.kept_pad, job.interval));
   const auto sections = butterworth(band, job.interval);
   double added = 0.0;

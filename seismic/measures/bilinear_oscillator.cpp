@@ -10,7 +10,7 @@
 namespace dougong::seismic {
 namespace {
 
-constexpr int terms = 20;             // 0.5^20/20! < 1e-24
+constexpr int terms = 16;             // 0.5^16/16! < 1e-18
 constexpr double longest_part = 0.5;  // rad of the elastic oscillator
 
 struct Motion {
@@ -47,7 +47,7 @@ class Series {
 template <typename Function>
 double root_between(Function f, double low, double high) {
   const bool rising = f(low) < 0.0;
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < 48; ++i) {
     const double middle = 0.5 * (low + high);
     if (middle <= low || middle >= high) break;
     ((f(middle) < 0.0) == rising ? low : high) = middle;
@@ -57,20 +57,24 @@ double root_between(Function f, double low, double high) {
 
 class Yielding {
  public:
-  explicit Yielding(const BilinearOscillator& o)
-      : w2_(std::pow(two_pi / o.elastic.period, 2)),
+  /// For parts of length h.
+  Yielding(const BilinearOscillator& o, double h)
+      : h_(h),
+        elastic_step_(oscillator_step(o.elastic, h)),
+        w2_(std::pow(two_pi / o.elastic.period, 2)),
         damping_(2.0 * o.elastic.damping_ratio * two_pi / o.elastic.period),
         yield_(o.yield_displacement),
         hardening_(o.hardening_ratio) {}
 
-  /// A part of length h whose ground acceleration goes from a0 by the slope a1.
-  void advance(double a0, double a1, double h) {
+  /// A part whose ground acceleration goes from a0 by the slope a1.
+  void advance(double a0, double a1) {
+    if (direction_ == 0.0 && stays_elastic(a0, a1)) return;
     double done = 0.0;
-    while (done < h) {
-      const double left = h - done;
+    while (done < h_) {
+      const double left = h_ - done;
       const Series series = branch(a0 + a1 * done, a1);
       const double used = direction_ == 0 ? elastic(series, left) : plastic(series, left);
-      done = used < left ? done + used : h;
+      done = used < left ? done + used : h_;
     }
   }
 
@@ -82,11 +86,31 @@ class Yielding {
   }
 
  private:
+  double offset_force() const {
+    const double offset = direction_ == 0.0 ? -plastic_ : direction_ * yield_;
+    return offset == 0.0 ? 0.0 : (1.0 - hardening_) * w2_ * offset;
+  }
+
+  // Most parts do not yield, and reach no peak if they turn: the coefficients of one elastic step do for
+  // them.
+  bool stays_elastic(double a0, double a1) {
+    const OscillatorStep& c = elastic_step_;
+    const double b0 = a0 + offset_force(), b1 = b0 + a1 * h_;
+    const Motion end{(c.uu * now_.u + c.uv * now_.v) + (c.ua * b0 + c.ub * b1),
+                     (c.vu * now_.u + c.vv * now_.v) + (c.va * b0 + c.vb * b1)};
+    // How far u may go beyond both ends of a part in which it turns; twice, for a speed that is not straight.
+    const double beyond = now_.v * end.v < 0.0 ? 2.0 * h_ * std::max(std::abs(now_.v), std::abs(end.v)) : 0.0;
+    const double stretch = std::max(std::abs(now_.u - plastic_), std::abs(end.u - plastic_)) + beyond;
+    const double size = std::max(std::abs(now_.u), std::abs(end.u)) + beyond;
+    const double force = w2_ * (hardening_ * size + (1.0 - hardening_) * stretch);
+    if (stretch > yield_) return false;
+    if (beyond > 0.0 && (size > out_.peak_displacement || force > out_.peak_force)) return false;
+    move(end);
+    return true;
+  }
+
   Series branch(double a0, double a1) const {
-    const double stiffness = direction_ == 0 ? w2_ : hardening_ * w2_;
-    const double offset = direction_ == 0 ? -plastic_ : direction_ * yield_;
-    const double force = offset == 0.0 ? 0.0 : (1.0 - hardening_) * w2_ * offset;
-    return {now_, a0, a1, force, damping_, stiffness};
+    return {now_, a0, a1, offset_force(), damping_, direction_ == 0.0 ? w2_ : hardening_ * w2_};
   }
 
   // Time used: all that is left, or up to the first yielding.
@@ -145,6 +169,8 @@ class Yielding {
     out_.peak_acceleration = std::max(out_.peak_acceleration, std::abs(force + damping_ * v));
   }
 
+  double h_;
+  OscillatorStep elastic_step_;
   double w2_, damping_, yield_, hardening_;
   Motion now_;
   double plastic_ = 0.0;
@@ -159,10 +185,10 @@ BilinearResponse bilinear_response(std::span<const double> a, double interval,
   const double angle = two_pi / oscillator.elastic.period * interval;
   const int parts = std::max(1, static_cast<int>(std::ceil(angle / longest_part)));
   const double h = interval / parts;
-  Yielding motion(oscillator);
+  Yielding motion(oscillator, h);
   for (std::size_t k = 1; k < a.size(); ++k) {
     const double slope = (a[k] - a[k - 1]) / interval;
-    for (int i = 0; i < parts; ++i) motion.advance(a[k - 1] + slope * h * i, slope, h);
+    for (int i = 0; i < parts; ++i) motion.advance(a[k - 1] + slope * h * i, slope);
   }
   return motion.result();
 }
@@ -171,7 +197,7 @@ DuctilityPoint constant_ductility(std::span<const double> a, double interval, co
                                   double ductility, double hardening_ratio) {
   constexpr double next = 1.05;     // the search's ratio of strengths
   constexpr double weakest = 1e-4;  // of the elastic strength
-  constexpr int halvings = 40;
+  constexpr int halvings = 30;      // of 5 %
   const double limit = bilinear_response(a, interval, {elastic}).peak_displacement;
   const auto peak_of = [&](double yield) {
     return bilinear_response(a, interval, {elastic, yield, hardening_ratio}).peak_displacement;

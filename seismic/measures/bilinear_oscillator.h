@@ -7,7 +7,7 @@
 //
 // While it is elastic p rests, while it yields p = u -+ u_y: both are linear oscillators under a linear
 // force, whose solution is a power series in time, u(n+2) = -2 zeta w u(n+1) - K u(n). Steps are divided so
-// that w h <= 0.5, where twenty terms reach the last bit, and the changes (u - p reaches u_y; u' turns) are
+// that w h <= 0.5, where sixteen terms reach the last bit, and the changes (u - p reaches u_y; u' turns) are
 // found as roots of the series. Peaks are taken wherever they fall. Ductility is max|u|/u_y. Constant
 // ductility: the greatest yield displacement whose ductility reaches the one asked for (Mahin & Bertero, J.
 // Struct. Div. ASCE 107, 1981; Chopra, Dynamics of Structures, sec. 7.5).

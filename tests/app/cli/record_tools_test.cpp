@@ -207,6 +207,7 @@ TEST_F(RecordTools, MakeListsItsKindsAndMakesEachOfThem) {
       {"sweep", "--set", "peak=0.1 g", "--set", "from=1 Hz", "--set", "to=9 Hz"},
       {"noise", "--set", "deviation=0.1 g"},
       {"compatible", "--set", "target=asce7: sds=1 g; sd1=0.6 g; tl=8 s", "--set", "rounds=5"},
+      {"styled", "--set", "name=kobe", "--set", "seed=7", "--set", "component=UD"},
       {"point-source", "--set", "magnitude=6", "--set", "distance=20 km"},
       {"finite-fault", "--set", "magnitude=6.5", "--set", "site-east=10 km", "--set", "site-north=5 km"},
   };

@@ -117,12 +117,21 @@ TEST(Condition, TellsEveryWrongOptionAtOnce) {
   ConditioningOptions options;
   options.high_pass = 80.0;
   options.target_pga = -1.0;
-  options.order = 3;
+  options.order = 13;
   const std::string text =
       input_error([&] { condition(set_of({record_of(testing::record_a(), "EW")}), options); });
   EXPECT_THAT(text, HasSubstr("Nyquist frequency, 50 Hz, found 80 Hz"));
   EXPECT_THAT(text, HasSubstr("a positive target PGA, found -1"));
-  EXPECT_THAT(text, HasSubstr("even filter order"));
+  EXPECT_THAT(text, HasSubstr("a filter order from 1 to 12, found 13"));
+}
+
+TEST(Condition, RefusesACornerWhosePadsNoMemoryHolds) {
+  ConditioningOptions options;
+  options.high_pass = 1e-6;
+  EXPECT_THAT(input_error([&] { condition(set_of({record_of(testing::record_a(), "EW")}), options); }),
+              HasSubstr("at most 1e+07 samples, found 3e+06 s of zeros"));
+  options.pad = 30.0;
+  EXPECT_EQ(condition(set_of({record_of(testing::record_a(), "EW")}), options).horizontal.size(), 5001u);
 }
 
 TEST(Condition, RefusesAVerticalComponentAsHorizontalMotion) {
