@@ -162,7 +162,7 @@ Figure suite_figure(const ScaleOptions& o, const Suite& suite) {
       wanted.x.push_back(period), wanted.y.push_back(target.at(period));
   curves.push_back(wanted);
   return spectra_figure(
-      "Spectra scaled to " + suite.target,
+      "Spectra scaled to a target",
       suite.target + fmt::format("; {}, {:g} s to {:g} s; misfit of the mean {:.3f}", o.rule,
                                  suite.periods.front(), suite.periods.back(), suite.scaling.mean_misfit),
       curves, suite.periods.front(), suite.periods.back());
