@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include "seismic/measures/fourier_spectrum.h"
 #include "seismic/measures/integrate.h"
 #include "seismic/measures/intensity.h"
 #include "seismic/measures/peaks.h"
 #include "seismic/measures/response_spectrum.h"
+#include "seismic/measures/spectrum_intensity.h"
 
 namespace dougong::seismic {
 namespace {
@@ -72,22 +74,34 @@ RecordInfo describe(const Record& record, double gravity) {
   return info;
 }
 
-std::vector<Measure> measures(std::span<const double> a, double h, double gravity) {
+std::vector<Measure> measures(std::span<const double> a, double h, const MeasureOptions& o) {
   const GroundHistory history = integrate(a, h);
   const SignificantDuration strong = significant_duration(a, h);
+  const std::string threshold = fmt::format("{:.3g} g", o.threshold / o.gravity);
+  const std::string damping = fmt::format("{:g} % damping", 100.0 * o.damping_ratio);
   return {
       {"PGA", peak(a, h).value, "m/s2",
        fmt::format("peak ground acceleration, at {:.2f} s", peak(a, h).time)},
       {"PGV", peak(history.velocity, h).value, "m/s", "peak ground velocity"},
       {"PGD", peak(history.displacement, h).value, "m", "peak ground displacement"},
-      {"Arias", arias_intensity(a, h, gravity), "m/s", "Arias intensity, trapezoid of a^2"},
+      {"Arias", arias_intensity(a, h, o.gravity), "m/s", "Arias intensity, trapezoid of a^2"},
       {"CAV", cumulative_absolute_velocity(a, h), "m/s", "cumulative absolute velocity"},
+      {"CAV standardised", standardised_cav(a, h, o.cav_threshold), "m/s",
+       fmt::format("CAV of the seconds that reach {:.3g} g", o.cav_threshold / o.gravity)},
       {"D5-95", strong.duration(), "s",
        fmt::format("5-95 % of the Arias intensity, from {:.2f} s", strong.start)},
       {"D5-75", significant_duration(a, h, 0.05, 0.75).duration(), "s", "5-75 % of the Arias intensity"},
-      {"bracketed", bracketed_duration(a, h, bracket * gravity), "s", "first to last 0.05 g"},
+      {"bracketed", bracketed_duration(a, h, o.threshold), "s", "first to last " + threshold},
+      {"uniform", uniform_duration(a, h, o.threshold), "s", "in all at or above " + threshold},
       {"rms", rms_acceleration(a, h), "m/s2", "root mean square over the whole motion"},
-      {"Housner", housner_intensity(a, h), "m", "int of PSv over 0.1-2.5 s, 5 % damping"},
+      {"Housner", housner_intensity(a, h, o.damping_ratio), "m", "int of PSv over 0.1-2.5 s, " + damping},
+      {"ASI", acceleration_spectrum_intensity(a, h, o.damping_ratio), "m/s",
+       "int of Sa over 0.1-0.5 s, " + damping},
+      {"VSI", velocity_spectrum_intensity(a, h, o.damping_ratio), "m",
+       "int of Sv over 0.1-2.5 s, " + damping},
+      {"mean period", mean_period(a, h), "s", "Rathje et al. 1998, 0.25-20 Hz"},
+      {"predominant period", predominant_period(a, h, log_spaced_periods(0.02, 10.0, 300), o.damping_ratio),
+       "s", "of the greatest Sa, " + damping},
   };
 }
 

@@ -45,9 +45,16 @@ struct Measure {
   std::string meaning;  // one line
 };
 
-/// Of any horizontal history that starts from rest (the motion applied): PGA, PGV, PGD, Arias, CAV, D5-95,
-/// D5-75, bracketed duration, rms, Housner intensity.
+struct MeasureOptions {
+  double gravity = standard_gravity;
+  double damping_ratio = 0.05;                      // of the spectral ones
+  double threshold = 0.05 * standard_gravity;       // m/s2, of bracketed and uniform duration
+  double cav_threshold = 0.025 * standard_gravity;  // m/s2, of the standardised CAV
+};
+
+/// Of any history that starts from rest (the motion applied): PGA, PGV, PGD, Arias, CAV and standardised CAV,
+/// D5-95, D5-75, bracketed and uniform duration, rms, Housner, ASI, VSI, mean and predominant period.
 std::vector<Measure> measures(std::span<const double> acceleration, double interval,
-                              double gravity = standard_gravity);
+                              const MeasureOptions& options = {});
 
 }  // namespace dougong::seismic

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/commands.h"
+#include "app/cli/record_tools.h"
 #include "app/study/prepare.h"
 #include "app/study/version.h"
 #include "seismic/input_error.h"
@@ -95,6 +96,7 @@ void add_records(CLI::App& app, Request& r) {
   info->add_flag("--json", r.record.json, "As JSON");
   info->footer("Example: dougong record info station.csv --units gal --interval \"0.01 s\" --json");
   info->callback([&r] { r.command = [&r] { return record_info_command(r.record); }; });
+  add_record_tools(*record, r.command);
 }
 
 void add_report(CLI::App& app, Request& r) {

@@ -12,8 +12,8 @@
 namespace dougong::app {
 namespace {
 
-constexpr int width = 880, left = 84, top = 62, gap = 14, bottom = 60;  // px
-constexpr std::size_t bins = 900;                                       // samples drawn across a panel, twice
+constexpr int width = stack_width, left = 84, top = 62, gap = 14, bottom = 60;  // px
+constexpr std::size_t bins = 900;        // samples drawn across a panel, twice
 constexpr double mark_room = 0.28;       // of the span, where labels of peaks stand
 constexpr double character_width = 6.3;  // px, mean of the subtitle's font
 constexpr double label_spacing = 15.0;   // px between labels at the ends
@@ -120,12 +120,6 @@ std::string panel_script(const Stack& stack, std::size_t index, double from_top,
   return out + panel_curves(panel, index, figure) + "unset label\n";
 }
 
-int total_height(const Stack& stack) {
-  double height = top + bottom + gap * static_cast<double>(stack.panels.size() - 1);
-  for (const Panel& panel : stack.panels) height += panel.height;
-  return static_cast<int>(height);
-}
-
 }  // namespace
 
 std::string plain_style() {
@@ -142,10 +136,23 @@ std::string heading(const std::string& title, const std::string& subtitle, int w
                      gnuplot_text(shortened(subtitle, fits)), 1.0 - 37.0 / height, to_hex(ink::quiet));
 }
 
+std::string margins(const Frame& f, int sheet_width, int sheet_height) {
+  return fmt::format("set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\n",
+                     f.left / double(sheet_width), f.right / double(sheet_width)) +
+         fmt::format("set tmargin at screen {:.5f}\nset bmargin at screen {:.5f}\n",
+                     1.0 - f.top / double(sheet_height), 1.0 - f.bottom / double(sheet_height));
+}
+
+int stack_height(const Stack& stack) {
+  double height = top + bottom + gap * static_cast<double>(stack.panels.size() - 1) + stack.room_below;
+  for (const Panel& panel : stack.panels) height += panel.height;
+  return static_cast<int>(height);
+}
+
 Figure stacked(const Stack& asked) {
   Stack stack = asked;
   if (stack.x.span() <= 0.0) stack.x.high = stack.x.low + 1.0;
-  Figure figure{width, total_height(stack), "", {}};
+  Figure figure{width, stack_height(stack), "", {}};
   figure.script = plain_style() + "set multiplot\n" +
                   fmt::format("set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\n",
                               left / double(width), 1.0 - stack.right_margin / double(width)) +
@@ -157,7 +164,7 @@ Figure stacked(const Stack& asked) {
     figure.script += panel_script(stack, i, from_top, figure);
     from_top += stack.panels[i].height + gap;
   }
-  figure.script += "unset multiplot\n";
+  figure.script += stack.below + "unset multiplot\n";
   return figure;
 }
 

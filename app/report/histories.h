@@ -44,9 +44,20 @@ struct Stack {
   Range x;
   std::vector<Panel> panels;
   int right_margin = 30;  // px; room for labels at the ends
+  int room_below = 0;     // px under the panels, for `below`: plots of another kind on the same sheet
+  std::string below = {};
 };
 
 Figure stacked(const Stack& stack);
+
+/// Left, right, top and bottom of a plot on a sheet, px from its upper left corner.
+struct Frame {
+  int left, right, top, bottom;
+};
+/// "set lmargin at screen ..." on a sheet of this size.
+std::string margins(const Frame& frame, int width, int height);
+inline constexpr int stack_width = 880;  // px
+int stack_height(const Stack& stack);    // px, with the room below
 
 /// "set grid, no box, ..." common to all figures.
 std::string plain_style();

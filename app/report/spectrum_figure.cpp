@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/report/axis.h"
 #include "app/report/colour.h"
 #include "app/report/figures.h"
 #include "app/report/histories.h"
+#include "app/report/log_axes.h"
 #include "app/report/text.h"
 #include "engine/scene.h"
 
@@ -15,21 +15,6 @@ namespace dougong::app {
 namespace {
 
 constexpr int width = 620, height = 440, left = 84, right = 30, top = 66, bottom = 56;  // px
-constexpr double decades_shown = 3.0;                                                   // below the peak
-
-double decade_below(double v) {
-  return std::pow(10.0, std::floor(std::log10(v) + 1e-9));
-}
-/// The next 1, 2 or 5 of a decade.
-double round_above(double v) {
-  const double below = round_below(v);
-  for (const double factor : {1.0, 2.0, 2.5, 5.0}) {
-    const double candidate = factor * below;
-    if (candidate >= 1.15 * v && std::abs(round_below(candidate) - candidate) < 1e-9 * candidate)
-      return candidate;
-  }
-  return 10.0 * below;
-}
 
 std::string curve_data(const MotionSheet& m) {
   std::string out;
@@ -50,26 +35,9 @@ Range period_range(const MotionSheet& m) {
 }
 
 Range psa_range(const MotionSheet& m) {
-  Range r{INFINITY, 0.0};
-  for (const double psa : m.spectrum_psa) {
-    if (psa > 0) r = {std::min(r.low, psa), std::max(r.high, psa)};
-  }
-  if (!(r.low <= r.high)) return {0.01, 1.0};
-  const double high = round_above(r.high / engine::standard_gravity);
-  const double low = std::max(r.low / engine::standard_gravity, high * std::pow(10.0, -decades_shown));
-  return {std::min(round_below(low), 0.1 * high), high};
-}
-
-std::string log_tics(const char* axis, Range range) {
-  std::string out;
-  for (double decade = decade_below(range.low); decade <= range.high; decade *= 10.0) {
-    for (const double factor : {1.0, 2.0, 5.0}) {
-      const double v = factor * decade;
-      if (v < range.low * 0.999 || v > range.high * 1.001) continue;
-      out += fmt::format("{}'{:g}' {:g}", out.empty() ? "" : ", ", v, v);
-    }
-  }
-  return fmt::format("set {}tics ({})\n", axis, out);
+  std::vector<double> values;
+  for (const double psa : m.spectrum_psa) values.push_back(psa / engine::standard_gravity);
+  return log_range(values);
 }
 
 /// A dashed line at the period and a dot where it meets the spectrum.

@@ -39,27 +39,14 @@ seismic::OffsetRemoval offset_of(const std::string& word) {
 seismic::BaselineCorrection baseline_of(const std::string& word) {
   if (word == "acceleration-line") return seismic::BaselineCorrection::acceleration_line;
   if (word == "velocity-parabola") return seismic::BaselineCorrection::velocity_parabola;
+  if (word == "acceleration-polynomial") return seismic::BaselineCorrection::acceleration_polynomial;
+  if (word == "velocity-polynomial") return seismic::BaselineCorrection::velocity_polynomial;
   return seismic::BaselineCorrection::none;
 }
 
-seismic::ConditioningOptions conditioning_options(const Scenario& scenario) {
-  const Conditioning& c = scenario.conditioning;
-  seismic::ConditioningOptions options;
-  options.offset = offset_of(c.offset);
-  options.baseline = baseline_of(c.baseline);
-  options.taper_fraction = c.taper;
-  options.filter = c.filter;
-  options.order = static_cast<int>(c.filter_order);
-  options.high_pass = c.high_pass;
-  options.low_pass = c.low_pass;
-  options.pad = c.pad;
-  options.target_pga = scenario.record.pga;
-  options.scale_factor = scenario.record.scale;
-  options.interval = c.interval;
-  options.resample_method =
-      c.resample == "linear" ? seismic::ResampleMethod::linear : seismic::ResampleMethod::fft;
-  options.vertical = scenario.record.vertical;
-  return options;
+seismic::ResampleMethod resampling_of(const std::string& word) {
+  if (word == "spline") return seismic::ResampleMethod::spline;
+  return word == "linear" ? seismic::ResampleMethod::linear : seismic::ResampleMethod::fft;
 }
 
 std::vector<NamedValue> provenance_of(const seismic::Record& record) {
@@ -89,6 +76,29 @@ seismic::RecordSet read_scenario_record(const RecordChoice& choice, const std::f
   return seismic::read_records(entry_named(choice.name, directory).paths(), options);
 }
 
+seismic::ConditioningOptions conditioning_options(const Scenario& scenario) {
+  const Conditioning& c = scenario.conditioning;
+  seismic::ConditioningOptions options;
+  options.offset = offset_of(c.offset);
+  options.pre_event = c.pre_event;
+  options.baseline = baseline_of(c.baseline);
+  options.baseline_degree = static_cast<int>(c.baseline_degree);
+  options.taper_fraction = c.taper;
+  options.filter = c.filter;
+  options.order = static_cast<int>(c.filter_order);
+  options.phase = c.filter_phase == "causal" ? seismic::FilterPhase::causal : seismic::FilterPhase::zero;
+  options.high_pass = c.high_pass;
+  options.low_pass = c.low_pass;
+  options.pad = c.pad;
+  options.target_pga = scenario.record.pga;
+  options.scale_factor = scenario.record.scale;
+  options.interval = c.interval;
+  options.resample_method = resampling_of(c.resample);
+  options.end = c.end == "at-rest" ? seismic::EndRule::at_rest : seismic::EndRule::as_it_is;
+  options.vertical = scenario.record.vertical;
+  return options;
+}
+
 MotionInput make_motion(const Scenario& scenario, const std::filesystem::path& directory) {
   MotionInput input;
   input.records = read_scenario_record(scenario.record, directory);
@@ -107,6 +117,7 @@ MotionSheet motion_sheet(const MotionInput& motion, double period) {
   sheet.provenance = provenance_of(motion.records.horizontal());
   sheet.processing = motion.conditioned.processing;
   append(sheet.processing, motion.conditioned.warnings);
+  append(sheet.processing, seismic::building_warnings(motion.conditioned, period));
   for (const seismic::Measure& m : seismic::measures(x.acceleration, x.interval))
     sheet.measures.push_back({m.name, fmt::format("{:.4g} {}", m.value, m.unit), m.meaning});
   sheet.interval = x.interval;

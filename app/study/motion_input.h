@@ -19,6 +19,8 @@ struct MotionInput {
 /// Reads the file, or the entry of the catalogue in records_directory. Throws seismic::InputError.
 seismic::RecordSet read_scenario_record(const RecordChoice& choice,
                                         const std::filesystem::path& records_directory);
+/// Of the sections record and conditioning.
+seismic::ConditioningOptions conditioning_options(const Scenario& scenario);
 /// Throws seismic::InputError.
 MotionInput make_motion(const Scenario& scenario, const std::filesystem::path& records_directory);
 /// period: of the building, marked in the spectrum; 0 for none.

@@ -183,8 +183,8 @@ class Reader {
   /// What a filter that is switched off would not look at.
   void require_filter() {
     if (scenario_.conditioning.filter) return;
-    for (const char* name :
-         {"conditioning.high_pass", "conditioning.low_pass", "conditioning.filter_order"}) {
+    for (const char* name : {"conditioning.high_pass", "conditioning.low_pass", "conditioning.filter_order",
+                             "conditioning.filter_phase"}) {
       const Entry* entry = find_entry(name);
       const ScenarioKey& key = *find_key(name);
       if (entry && is_set(*entry) && toml_value(key, scenario_) != default_of(key))

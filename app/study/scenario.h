@@ -40,16 +40,21 @@ struct RecordChoice {
 };
 
 struct Conditioning {
-  std::string offset = "mean";            // mean, pre-event, keep
-  std::string baseline = "none";          // none, acceleration-line, velocity-parabola
-  double taper = 0.05;                    // of the record's duration, at each end
-  std::optional<double> pad;              // s of zeros at each end; unset: what the filter needs
+  std::string offset = "mean";    // mean, pre-event, keep
+  double pre_event = 5.0;         // s at the start, whose mean pre-event takes off
+  std::string baseline = "none";  // none, acceleration-line, velocity-parabola, acceleration-polynomial,
+                                  // velocity-polynomial
+  double baseline_degree = 3;     // of the polynomials
+  double taper = 0.05;            // of the record's duration, at each end
+  std::optional<double> pad;      // s of zeros at each end; unset: what the filter needs
   std::optional<double> high_pass = 0.1;  // Hz
   bool filter = true;
   std::optional<double> low_pass;  // Hz; unset: 25, or none where the record has nothing above it
   double filter_order = 4;
-  std::optional<double> interval;  // s, to resample to; unset: the record's own
-  std::string resample = "fft";    // fft, linear
+  std::string filter_phase = "zero";  // zero, causal
+  std::optional<double> interval;     // s, to resample to; unset: the record's own
+  std::string resample = "fft";       // fft, spline, linear
+  std::string end = "as-it-is";       // as-it-is, at-rest
 };
 
 struct SolveChoice : IntegrationChoice {

@@ -1,6 +1,6 @@
 // Butterworth filter in second-order sections, forward and backward: no shift of phase.
 //
-//   prototype poles  s_k = exp(i pi (2k + n + 1)/(2n)), k = 0 .. n-1      n  order, even
+//   prototype poles  s_k = exp(i pi (2k + n + 1)/(2n)), k = 0 .. n-1      n  order
 //   low pass   s -> s/wc,  high pass  s -> wc/s,  band pass  s -> (s^2 + w0^2)/(B s)
 //   bilinear   s = 2 (1 - z^-1)/(1 + z^-1),  w = 2 tan(pi f h): the corners fall where they are asked for
 //
@@ -24,10 +24,10 @@ struct Section {
 struct Band {
   std::optional<double> high_pass;  // Hz, lower corner
   std::optional<double> low_pass;   // Hz, upper corner
-  int order = 4;                    // of the prototype; even, 2 to 12
+  int order = 4;                    // of the prototype; 1 to 12
 };
 
-/// The sections of one pass for samples `interval` apart. Throws std::invalid_argument for an odd order or
+/// The sections of one pass for samples `interval` apart. Throws std::invalid_argument for another order or
 /// corners that are not 0 < high pass < low pass < Nyquist.
 std::vector<Section> butterworth(const Band& band, double interval);
 

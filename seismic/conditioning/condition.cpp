@@ -16,9 +16,12 @@ namespace dougong::seismic {
 namespace {
 
 constexpr const char* where = "ground motion options";
-constexpr double usual_low_pass = 25.0;               // Hz
-constexpr double highest_corner = 0.9;                // of the Nyquist frequency, for the usual low pass
-constexpr double residual_displacement_limit = 0.01;  // of the peak displacement, before a warning
+constexpr double usual_low_pass = 25.0;   // Hz
+constexpr double highest_corner = 0.9;    // of the Nyquist frequency, for the usual low pass
+constexpr double residual_limit = 0.01;   // of the peak velocity and displacement, before a warning
+constexpr double most_pad_samples = 1e7;  // at each end: what memory should bear
+constexpr double least_samples = 10.0;    // of a record in the period of a building
+constexpr double usable_above = 1.25;     // of a high-pass corner: PEER's lowest usable frequency
 
 struct Trace {
   std::string component;
@@ -31,6 +34,7 @@ struct Job {
   double interval = 0.0;
   double lead = 0.0;
   double scale = 1.0;
+  Band band;  // as filtered
   const char* unit = " m/s2";
   std::vector<std::string> said, warnings;
 };
@@ -53,9 +57,21 @@ void require(std::vector<InputProblem>& problems, bool holds, std::string expect
   if (!holds) problems.push_back({where, 0, std::move(expected), std::move(found)});
 }
 
+// s. Without a lower corner the answer of the filter is short: that of 1 Hz.
+double needed_pad(int order, std::optional<double> high_pass) {
+  return 1.5 * order / (2.0 * high_pass.value_or(1.0));
+}
+
+void check_pads(const ConditioningOptions& o, double interval, std::vector<InputProblem>& problems) {
+  const double pad = o.pad.value_or(o.filter ? needed_pad(o.order, o.high_pass) : 0.0);
+  require(problems, pad / interval <= most_pad_samples,
+          fmt::format("pads of at most {:g} samples", most_pad_samples),
+          fmt::format("{:.4g} s of zeros at each end{}", pad,
+                      o.pad ? "" : " for this high-pass corner, unless a pad is given"));
+}
+
 void check_corners(const ConditioningOptions& o, double nyquist, std::vector<InputProblem>& problems) {
-  require(problems, o.order >= 2 && o.order <= 12 && o.order % 2 == 0, "an even filter order from 2 to 12",
-          std::to_string(o.order));
+  require(problems, o.order >= 1 && o.order <= 12, "a filter order from 1 to 12", std::to_string(o.order));
   if (o.high_pass) {
     require(problems, *o.high_pass > 0.0 && *o.high_pass < nyquist,
             fmt::format("a high-pass corner between 0 and the Nyquist frequency, {:g} Hz", nyquist),
@@ -86,6 +102,27 @@ void check_scale(const RecordSet& records, const ConditioningOptions& o,
   }
 }
 
+struct BaselineChoice {
+  bool of_velocity;
+  int degree;
+};
+
+std::optional<BaselineChoice> chosen_baseline(const ConditioningOptions& options) {
+  switch (options.baseline) {
+    case BaselineCorrection::none:
+      return std::nullopt;
+    case BaselineCorrection::acceleration_line:
+      return BaselineChoice{false, 1};
+    case BaselineCorrection::velocity_parabola:
+      return BaselineChoice{true, 2};
+    case BaselineCorrection::acceleration_polynomial:
+      return BaselineChoice{false, options.baseline_degree};
+    case BaselineCorrection::velocity_polynomial:
+      return BaselineChoice{true, options.baseline_degree};
+  }
+  return std::nullopt;
+}
+
 void check(const RecordSet& records, const ConditioningOptions& o) {
   std::vector<InputProblem> problems;
   const Record& record = records.horizontal();
@@ -95,6 +132,13 @@ void check(const RecordSet& records, const ConditioningOptions& o) {
   }
   check_scale(records, o, problems);
   if (o.filter) check_corners(o, 0.5 / record.interval, problems);
+  check_pads(o, record.interval, problems);
+  if (const auto baseline = chosen_baseline(o)) {
+    const int least = baseline->of_velocity ? 1 : 0;
+    require(problems, baseline->degree >= least && baseline->degree <= highest_baseline_degree,
+            fmt::format("a degree of the baseline from {} to {}", least, highest_baseline_degree),
+            std::to_string(baseline->degree));
+  }
   require(problems, o.taper_fraction >= 0.0 && o.taper_fraction <= 0.5, "a taper of 0 to 0.5 of the record",
           fmt::format("{:g}", o.taper_fraction));
   require(problems, o.kept_pad >= 0.0 && o.pad.value_or(0.0) >= 0.0, "pads that are not negative",
@@ -163,16 +207,39 @@ void remove_offset(Job& job, const ConditioningOptions& options) {
             : fmt::format("offset: mean of the first {:g} s removed ({})", options.pre_event, numbers));
 }
 
+// "0.0492 + (-0.00197) t + (1e-5) t^2"
+std::string polynomial_text(const Baseline& baseline) {
+  std::string text;
+  for (std::size_t i = 0; i < baseline.size(); ++i) {
+    text += i == 0 ? fmt::format("{:.6g}", baseline[i]) : fmt::format(" + ({:.6g}) t", baseline[i]);
+    if (i > 1) text += fmt::format("^{}", i);
+  }
+  return text.empty() ? "nothing, the record is too short" : text;
+}
+
 void correct_baseline(Job& job, const ConditioningOptions& options) {
-  if (options.baseline == BaselineCorrection::none) return;
-  const bool line = options.baseline == BaselineCorrection::acceleration_line;
+  const auto choice = chosen_baseline(options);
+  if (!choice) return;
   for (Trace& trace : job.traces) {
-    const BaselineLine removed = line ? remove_acceleration_line(trace.a, job.interval)
-                                      : remove_velocity_parabola(trace.a, job.interval);
-    job.said.push_back(
-        fmt::format("baseline: {} taken off {}: {:.6g} + ({:.6g}) t",
-                    line ? "least-squares line" : "derivative of the least-squares parabola of velocity",
-                    trace.component, removed.offset, removed.slope));
+    const Baseline removed = choice->of_velocity
+                                 ? remove_velocity_polynomial(trace.a, job.interval, choice->degree)
+                                 : remove_acceleration_polynomial(trace.a, job.interval, choice->degree);
+    job.said.push_back(fmt::format("baseline: {} of degree {} taken off {}: {}",
+                                   choice->of_velocity
+                                       ? "derivative of the least-squares polynomial of velocity"
+                                       : "least-squares polynomial",
+                                   choice->degree, trace.component, polynomial_text(removed)));
+  }
+}
+
+void bring_to_rest(Job& job, const ConditioningOptions& options) {
+  if (options.end == EndRule::as_it_is) return;
+  for (Trace& trace : job.traces) {
+    const RestCorrection c = end_at_rest(trace.a, job.interval);
+    job.said.push_back(fmt::format(
+        "rest: {} ended at {:.4g} m and {:.4g} m/s; a quintic displacement taken off brings it back "
+        "(changes the acceleration by at most {:.3g}{})",
+        trace.component, c.displacement, c.velocity, c.greatest_change, job.unit));
   }
 }
 
@@ -235,38 +302,43 @@ void filter(Job& job, const ConditioningOptions& options, bool processed) {
   std::string remark;
   const Band band = chosen_band(job, options, processed, remark);
   if (!options.filter || (!band.high_pass && !band.low_pass)) return job.said.push_back("filter: none");
-  // Without a lower corner the answer of the filter is short: that of 1 Hz.
-  const double usual_pad = 1.5 * options.order / (2.0 * band.high_pass.value_or(1.0));
-  const std::size_t pad = samples_in(options.pad.value_or(usual_pad), job.interval);
+  job.band = band;
+  const std::size_t pad =
+      samples_in(options.pad.value_or(needed_pad(options.order, band.high_pass)), job.interval);
   const std::size_t kept = std::min(pad, samples_in(options.kept_pad, job.interval));
   const auto sections = butterworth(band, job.interval);
   double added = 0.0;
   for (Trace& trace : job.traces) {
     const std::size_t samples = trace.a.size();
     std::vector<double> a = padded(trace.a, pad, pad);
-    filter_both_ways(sections, a);
+    options.phase == FilterPhase::zero ? filter_both_ways(sections, a) : filter_forward(sections, a);
     const std::size_t first = pad - kept, last = pad + samples - 1 + kept;
     trace.a = kept > 0 ? faded_part(a, job.interval, first, last, kept, added)
                        : std::vector<double>(a.begin() + static_cast<std::ptrdiff_t>(first),
                                              a.begin() + static_cast<std::ptrdiff_t>(last) + 1);
   }
   job.lead = static_cast<double>(kept) * job.interval;
-  job.said.push_back(
-      fmt::format("filter: Butterworth {}, order {}, forward and backward over {:g} s of zeros at each end{}",
-                  band_text(band), options.order, static_cast<double>(pad) * job.interval, remark));
+  job.said.push_back(fmt::format(
+      "filter: Butterworth {}, order {}, {} over {:g} s of zeros at each end{}", band_text(band),
+      options.order, options.phase == FilterPhase::zero ? "forward and backward" : "forward (causal)",
+      static_cast<double>(pad) * job.interval, remark));
   job.said.push_back(
       fmt::format("pads: cut back to {:g} s at each end, the displacement faded over them (changes the "
                   "acceleration there by at most {:.3g}{})",
                   job.lead, added, job.unit));
 }
 
+const char* name_of(ResampleMethod method) {
+  if (method == ResampleMethod::fft) return "trigonometric (FFT)";
+  return method == ResampleMethod::spline ? "cubic spline" : "linear";
+}
+
 void change_interval(Job& job, const ConditioningOptions& options) {
   if (!options.interval || *options.interval == job.interval) return;
   for (Trace& trace : job.traces)
     trace.a = resample(trace.a, job.interval, *options.interval, options.resample_method);
-  job.said.push_back(
-      fmt::format("resampled: from {:g} s to {:g} s, {}", job.interval, *options.interval,
-                  options.resample_method == ResampleMethod::fft ? "trigonometric (FFT)" : "linear"));
+  job.said.push_back(fmt::format("resampled: from {:g} s to {:g} s, {}", job.interval, *options.interval,
+                                 name_of(options.resample_method)));
   job.interval = *options.interval;
 }
 
@@ -295,10 +367,11 @@ void judge_residuals(const Job& job, ConditionedMotion& out) {
       "integrated: from rest, linear acceleration between samples; PGV {:.4g} m/s, PGD {:.4g} m; at the end "
       "{:.2g} m/s and {:.2g} m are left",
       peak(h.velocity, out.interval).value, greatest, out.residual_velocity, out.residual_displacement));
-  if (std::abs(out.residual_displacement) <= residual_displacement_limit * greatest) return;
+  const bool moves = std::abs(out.residual_velocity) > residual_limit * peak(h.velocity, out.interval).value;
+  if (!moves && std::abs(out.residual_displacement) <= residual_limit * greatest) return;
   out.warnings.push_back(
       fmt::format("{} does not return: {:.3g} m of displacement and {:.3g} m/s are left at its end; a "
-                  "high-pass filter with kept pads brings it back",
+                  "high-pass filter with kept pads, or conditioning.end = at-rest, brings it back",
                   job.traces[0].component, out.residual_displacement, out.residual_velocity));
 }
 
@@ -316,24 +389,66 @@ ConditionedMotion condition(const RecordSet& records, const ConditioningOptions&
   check(records, options);
   const Record& record = records.horizontal();
   Job job = start(records, options);
-  cut(job, options);
-  remove_offset(job, options);
-  correct_baseline(job, options);
-  taper(job, options);
-  filter(job, options, record.provenance.processed);
-  change_interval(job, options);
-  scale(job, options);
   ConditionedMotion out;
+  const auto stage = [&](const char* step) {
+    if (!options.keep_stages) return;
+    const std::vector<double>& a = job.traces[0].a;
+    if (out.stages.empty() || out.stages.back().acceleration != a)
+      out.stages.push_back({step, job.interval, job.lead, a});
+  };
+  stage("read");
+  cut(job, options);
+  stage("cut");
+  remove_offset(job, options);
+  stage("offset");
+  correct_baseline(job, options);
+  stage("baseline");
+  taper(job, options);
+  stage("taper");
+  filter(job, options, record.provenance.processed);
+  stage("filter");
+  change_interval(job, options);
+  stage("resample");
+  bring_to_rest(job, options);
+  stage("rest");
+  scale(job, options);
+  stage("scale");
   out.title = title_of(record);
   out.interval = job.interval;
   out.lead = job.lead;
   out.scale_factor = job.scale;
+  out.record_interval = record.interval;
+  out.high_pass = job.band.high_pass;
+  out.low_pass = job.band.low_pass;
   out.horizontal = std::move(job.traces[0].a);
   if (job.traces.size() > 1) out.vertical = std::move(job.traces[1].a);
   out.processing = std::move(job.said);
   out.warnings = std::move(job.warnings);
   judge_residuals(job, out);
   return out;
+}
+
+std::vector<std::string> building_warnings(const ConditionedMotion& motion, double period) {
+  std::vector<std::string> warnings;
+  if (!(period > 0.0)) return warnings;
+  const double frequency = 1.0 / period;
+  if (period < least_samples * motion.record_interval * (1.0 - 1e-9))
+    warnings.push_back(
+        fmt::format("the record's step of {:g} s is too coarse for a building of {:.4g} s: {:.2g} samples in "
+                    "its period, {:g} "
+                    "are needed",
+                    motion.record_interval, period, period / motion.record_interval, least_samples));
+  if (motion.high_pass && usable_above * *motion.high_pass > frequency)
+    warnings.push_back(
+        fmt::format("the high-pass corner of {:g} Hz takes away motion at the building's frequency, {:.4g} "
+                    "Hz (usable above "
+                    "{:g} of the corner)",
+                    *motion.high_pass, frequency, usable_above));
+  if (motion.low_pass && *motion.low_pass < frequency)
+    warnings.push_back(
+        fmt::format("the low-pass corner of {:g} Hz is below the building's frequency, {:.4g} Hz",
+                    *motion.low_pass, frequency));
+  return warnings;
 }
 
 GroundMotion ConditionedMotion::ground_motion(const EndOptions& end) const {

@@ -1,8 +1,12 @@
 #include "seismic/conditioning/resample.h"
 
+#include <gsl/gsl_spline.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <memory>
+#include <numeric>
 
 #include "seismic/conditioning/taper.h"
 #include "seismic/numerics/fourier.h"
@@ -28,6 +32,18 @@ std::vector<double> linear(std::span<const double> x, double ratio, std::size_t 
   return out;
 }
 
+std::vector<double> spline(std::span<const double> x, double ratio, std::size_t count) {
+  std::vector<double> places(x.size());
+  std::iota(places.begin(), places.end(), 0.0);
+  const std::unique_ptr<gsl_spline, decltype(&gsl_spline_free)> curve(
+      gsl_spline_alloc(gsl_interp_cspline, x.size()), gsl_spline_free);
+  gsl_spline_init(curve.get(), places.data(), x.data(), x.size());
+  std::vector<double> out(count);
+  for (std::size_t k = 0; k < count; ++k)
+    out[k] = gsl_spline_eval(curve.get(), std::min(static_cast<double>(k) * ratio, places.back()), nullptr);
+  return out;
+}
+
 // The record at the front, its end reflected behind it, zeros, and the reflection of its start at the very
 // end, which the period puts before the first sample.
 std::vector<double> continued(std::span<const double> x) {
@@ -49,7 +65,10 @@ std::vector<double> resample(std::span<const double> samples, double interval, d
   const double ratio = new_interval / interval;
   if (samples.size() < 2 || ratio == 1.0) return {samples.begin(), samples.end()};
   const std::size_t count = new_count(samples.size(), ratio);
-  if (method == ResampleMethod::linear) return linear(samples, ratio, count);
+  // Three points are the least of a spline.
+  if (method == ResampleMethod::linear || (method == ResampleMethod::spline && samples.size() < 3))
+    return linear(samples, ratio, count);
+  if (method == ResampleMethod::spline) return spline(samples, ratio, count);
   const double cutoff = ratio > 1.0 ? 0.5 / ratio : 0.5;
   return trigonometric_samples(continued(samples), ratio, count, cutoff);
 }

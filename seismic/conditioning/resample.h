@@ -4,6 +4,7 @@
 //   also one that is not rational. The record is continued at both ends by its odd reflection, faded to
 //   zero, so that the period of the transform has no jump to ring from (wrap-around). A longer step drops
 //   the frequencies above its own Nyquist frequency. Exact for a motion without energy above Nyquist.
+// spline: on the natural cubic spline through the samples; a longer step aliases.
 // linear: on the straight line between samples, which is what the ground does in between; it damps the
 //   high frequencies and, to a longer step, aliases.
 #pragma once
@@ -13,7 +14,7 @@
 
 namespace dougong::seismic {
 
-enum class ResampleMethod { fft, linear };
+enum class ResampleMethod { fft, spline, linear };
 
 /// From the first sample to the last that lies within the old duration.
 std::vector<double> resample(std::span<const double> samples, double interval, double new_interval,

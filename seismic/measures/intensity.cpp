@@ -45,6 +45,21 @@ double cumulative_absolute_velocity(std::span<const double> a, double interval) 
   return sum;
 }
 
+double standardised_cav(std::span<const double> a, double interval, double threshold, double window) {
+  double total = 0.0, sum = 0.0, most = 0.0, current = 0.0;
+  for (std::size_t k = 1; k < a.size(); ++k) {
+    const double number = std::floor((static_cast<double>(k) - 0.5) * interval / window);
+    if (number != current) {
+      total += most >= threshold ? sum : 0.0;
+      sum = most = 0.0;
+      current = number;
+    }
+    sum += 0.5 * interval * (std::abs(a[k - 1]) + std::abs(a[k]));
+    most = std::max({most, std::abs(a[k - 1]), std::abs(a[k])});
+  }
+  return total + (most >= threshold ? sum : 0.0);
+}
+
 double rms_acceleration(std::span<const double> a, double interval) {
   if (a.size() < 2) return 0.0;
   double sum = 0.0;
@@ -58,6 +73,18 @@ SignificantDuration significant_duration(std::span<const double> a, double inter
   const std::vector<double> husid = husid_curve(a, interval);
   if (husid.size() < 2 || husid.back() == 0.0) return {};
   return {time_of_share(husid, interval, from), time_of_share(husid, interval, to)};
+}
+
+std::vector<double> husid(std::span<const double> a, double interval) {
+  std::vector<double> curve = husid_curve(a, interval);
+  const double whole = curve.empty() ? 0.0 : curve.back();
+  for (double& value : curve) value = whole > 0.0 ? value / whole : 0.0;
+  return curve;
+}
+
+double uniform_duration(std::span<const double> a, double interval, double threshold) {
+  const auto reached = std::count_if(a.begin(), a.end(), [&](double x) { return std::abs(x) >= threshold; });
+  return interval * static_cast<double>(reached);
 }
 
 double bracketed_duration(std::span<const double> a, double interval, double threshold) {

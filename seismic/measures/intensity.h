@@ -5,6 +5,9 @@
 //   significant duration  t(p2) - t(p1), p = Husid share of int a^2   s      Trifunac & Brady 1975
 //   rms                sqrt(1/T int a^2 dt)                           m/s2
 //   bracketed duration  last minus first sample with |a| >= threshold s      Bolt 1973
+//   uniform duration    step times the samples with |a| >= threshold  s      Bolt 1973
+//   standardised CAV    CAV of the one-second windows that reach 0.025 g  m/s   EPRI TR-100082, 1991;
+//                                                              Campbell & Bozorgnia, Earthq. Spectra 26, 2010
 //
 // int a^2 dt has two definitions for samples: the trapezoid of a^2 (what most programs print; the
 // default), and the exact integral of the linear interpolant's square, which is smaller:
@@ -12,6 +15,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "seismic/constants.h"
 
@@ -25,6 +29,11 @@ double arias_intensity(std::span<const double> acceleration, double interval,
 /// Trapezoid of |a|.
 double cumulative_absolute_velocity(std::span<const double> acceleration, double interval);
 
+/// Threshold in m/s2 (0.025 g in the definition), windows of `window` s from the first sample on, the last
+/// one as long as the record is. A step that crosses a window's end counts to the one that holds its middle.
+double standardised_cav(std::span<const double> acceleration, double interval, double threshold,
+                        double window = 1.0);
+
 /// By the trapezoid of a^2 over the whole duration.
 double rms_acceleration(std::span<const double> acceleration, double interval);
 
@@ -37,6 +46,11 @@ struct SignificantDuration {
 SignificantDuration significant_duration(std::span<const double> acceleration, double interval,
                                          double from = 0.05, double to = 0.95);
 
+/// int a^2 dt up to every sample, over its last value: 0 to 1. Zeros for a record of zeros.
+std::vector<double> husid(std::span<const double> acceleration, double interval);
+
+/// Threshold in m/s2. Zero when nothing reaches it.
+double uniform_duration(std::span<const double> acceleration, double interval, double threshold);
 /// Threshold in m/s2. Zero when nothing reaches it.
 double bracketed_duration(std::span<const double> acceleration, double interval, double threshold);
 

@@ -53,13 +53,18 @@ Matrix scaled_propagator(double s, double zeta) {
 
 }  // namespace
 
-OscillatorStep oscillator_step(const Oscillator& oscillator, double interval) {
-  const double w = two_pi / oscillator.period, s = w * interval;
+OscillatorStep scaled_oscillator_step(const Oscillator& oscillator, double interval) {
+  const double s = two_pi / oscillator.period * interval;
   const Matrix p = scaled_propagator(s, oscillator.damping_ratio);
   // The slope is (b - a)/s in scaled time: its column is shared out between a and b.
   const double ub = p[0][3] / s, vb = p[1][3] / s;
-  return {p[0][0],     p[0][1] / w, (p[0][2] - ub) / (w * w), ub / (w * w),
-          p[1][0] * w, p[1][1],     (p[1][2] - vb) / w,       vb / w};
+  return {p[0][0], p[0][1], p[0][2] - ub, ub, p[1][0], p[1][1], p[1][2] - vb, vb};
+}
+
+OscillatorStep oscillator_step(const Oscillator& oscillator, double interval) {
+  const double w = two_pi / oscillator.period;
+  const OscillatorStep s = scaled_oscillator_step(oscillator, interval);
+  return {s.uu, s.uv / w, s.ua / (w * w), s.ub / (w * w), s.vu * w, s.vv, s.va / w, s.vb / w};
 }
 
 OscillatorHistory oscillator_response(std::span<const double> a, double interval,
@@ -70,8 +75,8 @@ OscillatorHistory oscillator_response(std::span<const double> a, double interval
   OscillatorHistory out{std::vector<double>(n), std::vector<double>(n), std::vector<double>(n)};
   double u = 0.0, v = 0.0;
   for (std::size_t k = 1; k < n; ++k) {
-    const double next = c.uu * u + c.uv * v + c.ua * a[k - 1] + c.ub * a[k];
-    v = c.vu * u + c.vv * v + c.va * a[k - 1] + c.vb * a[k];
+    const double next = (c.uu * u + c.uv * v) + (c.ua * a[k - 1] + c.ub * a[k]);
+    v = (c.vu * u + c.vv * v) + (c.va * a[k - 1] + c.vb * a[k]);
     u = next;
     out.displacement[k] = u;
     out.velocity[k] = v;

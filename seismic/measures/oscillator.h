@@ -25,6 +25,8 @@ struct OscillatorStep {
 };
 
 OscillatorStep oscillator_step(const Oscillator& oscillator, double interval);
+/// The same of U = w^2 u and V = w u' (both m/s2), whose coefficients are all of order one.
+OscillatorStep scaled_oscillator_step(const Oscillator& oscillator, double interval);
 
 struct OscillatorHistory {
   std::vector<double> displacement;           // m, relative

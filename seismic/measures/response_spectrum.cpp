@@ -6,56 +6,90 @@
 #include <cmath>
 
 #include "seismic/constants.h"
+#include "seismic/measures/continuous_peaks.h"
+#include "seismic/measures/peak_kernels.h"
 
 namespace dougong::seismic {
 namespace {
 
 constexpr double steps_per_period = 10.0;  // fewer, and the interpolant's error in PSa exceeds some 3 %
 
-struct Peaks {
-  double u = 0.0, v = 0.0, absolute = 0.0;
-};
+std::vector<PeakOscillator> oscillators_of(std::span<const double> periods, double damping_ratio,
+                                           double interval) {
+  std::vector<PeakOscillator> out;
+  out.reserve(periods.size());
+  for (const double period : periods)
+    out.push_back({scaled_oscillator_step({period, damping_ratio}, interval), 2.0 * damping_ratio});
+  return out;
+}
 
-Peaks peak_response(std::span<const double> a, double interval, const Oscillator& oscillator,
-                    int subdivisions) {
-  const OscillatorStep c = oscillator_step(oscillator, interval / subdivisions);
-  const double w = two_pi / oscillator.period, damping = 2.0 * oscillator.damping_ratio * w;
-  Peaks peaks;
-  double u = 0.0, v = 0.0;
+// The linear interpolant at `parts` points of every step.
+std::vector<double> subdivided(std::span<const double> a, int parts) {
+  std::vector<double> out;
+  if (a.empty()) return out;
+  out.reserve((a.size() - 1) * static_cast<std::size_t>(parts) + 1);
+  out.push_back(a[0]);
   for (std::size_t k = 1; k < a.size(); ++k) {
-    const double rise = (a[k] - a[k - 1]) / subdivisions;
-    for (int i = 0; i < subdivisions; ++i) {
-      const double a0 = a[k - 1] + i * rise, a1 = i + 1 == subdivisions ? a[k] : a0 + rise;
-      const double next = c.uu * u + c.uv * v + c.ua * a0 + c.ub * a1;
-      v = c.vu * u + c.vv * v + c.va * a0 + c.vb * a1;
-      u = next;
-      peaks.u = std::max(peaks.u, std::abs(u));
-      peaks.v = std::max(peaks.v, std::abs(v));
-      peaks.absolute = std::max(peaks.absolute, std::abs(damping * v + w * w * u));
-    }
+    const double rise = (a[k] - a[k - 1]) / parts;
+    for (int i = 1; i < parts; ++i) out.push_back(a[k - 1] + i * rise);
+    out.push_back(a[k]);
   }
+  return out;
+}
+
+std::vector<OscillatorPeaks> peaks_at_samples(std::span<const double> a, double interval,
+                                              std::span<const double> periods, double damping_ratio,
+                                              void (*find)(const PeakCall&)) {
+  const auto oscillators = oscillators_of(periods, damping_ratio, interval);
+  std::vector<OscillatorPeaks> peaks(periods.size());
+  find({a.data(), a.size(), oscillators.data(), oscillators.size(), peaks.data()});
   return peaks;
+}
+
+std::vector<OscillatorPeaks> peaks_of(std::span<const double> a, double interval,
+                                      std::span<const double> periods, const SpectrumOptions& options) {
+  if (options.within_steps) {
+    std::vector<OscillatorPeaks> peaks;
+    for (const double period : periods)
+      peaks.push_back(continuous_peaks(a, interval, {period, options.damping_ratio}));
+    return peaks;
+  }
+  const auto find = best_peak_kernel().all;
+  if (options.subdivisions <= 1) return peaks_at_samples(a, interval, periods, options.damping_ratio, find);
+  return peaks_at_samples(subdivided(a, options.subdivisions), interval / options.subdivisions, periods,
+                          options.damping_ratio, find);
 }
 
 }  // namespace
 
-SpectralPoint spectral_point(std::span<const double> acceleration, double interval, double period,
-                             const SpectrumOptions& options) {
-  const Peaks peaks = peak_response(acceleration, interval, {period, options.damping_ratio},
-                                    std::max(1, options.subdivisions));
-  const double w = two_pi / period;
-  return {period, peaks.u, peaks.v, peaks.absolute, w * peaks.u, w * w * peaks.u};
-}
-
 std::vector<SpectralPoint> response_spectrum(std::span<const double> acceleration, double interval,
                                              std::span<const double> periods,
                                              const SpectrumOptions& options) {
+  const auto peaks = peaks_of(acceleration, interval, periods, options);
   std::vector<SpectralPoint> spectrum;
   spectrum.reserve(periods.size());
-  for (const double period : periods) {
-    spectrum.push_back(spectral_point(acceleration, interval, period, options));
+  for (std::size_t i = 0; i < periods.size(); ++i) {
+    const double w = two_pi / periods[i];
+    const OscillatorPeaks& p = peaks[i];
+    spectrum.push_back({periods[i], p.displacement / (w * w), p.velocity / w, p.acceleration,
+                        p.displacement / w, p.displacement});
   }
   return spectrum;
+}
+
+SpectralPoint spectral_point(std::span<const double> acceleration, double interval, double period,
+                             const SpectrumOptions& options) {
+  return response_spectrum(acceleration, interval, std::span(&period, 1), options).front();
+}
+
+std::vector<double> pseudo_accelerations(std::span<const double> acceleration, double interval,
+                                         std::span<const double> periods, double damping_ratio) {
+  std::vector<double> psa;
+  psa.reserve(periods.size());
+  for (const OscillatorPeaks& peaks :
+       peaks_at_samples(acceleration, interval, periods, damping_ratio, best_peak_kernel().displacement))
+    psa.push_back(peaks.displacement);
+  return psa;
 }
 
 std::vector<double> log_spaced_periods(double from, double to, std::size_t count) {
@@ -87,19 +121,6 @@ std::vector<std::string> spectrum_warnings(std::span<const double> periods, doub
                     interval, *longest / steps_per_period));
   }
   return warnings;
-}
-
-double housner_intensity(std::span<const double> acceleration, double interval, double damping_ratio,
-                         double step) {
-  constexpr double from = 0.1, to = 2.5;  // s, by definition
-  const int intervals = std::max(1, static_cast<int>(std::lround((to - from) / step)));
-  double sum = 0.0;
-  for (int i = 0; i <= intervals; ++i) {
-    const double period = from + (to - from) * i / intervals;
-    const double weight = i == 0 || i == intervals ? 0.5 : 1.0;
-    sum += weight * spectral_point(acceleration, interval, period, {damping_ratio, 1}).pseudo_velocity;
-  }
-  return sum * (to - from) / intervals;
 }
 
 }  // namespace dougong::seismic

@@ -44,19 +44,9 @@ double site_amplification(double frequency) {
   return interpolated(table, std::log(frequency));
 }
 
-// The one place of cgs, bars and kilometres.
-struct Cgs {
-  double moment;          // dyne cm
-  double stress_drop;     // bar
-  double shear_velocity;  // km/s
-  double density;         // g/cm3
-  double distance;        // km
-};
-
-Cgs to_cgs(const PointSource& source, const Region& region) {
-  return {std::pow(10.0, 1.5 * source.magnitude + 16.05), source.stress_drop * 1e-5,
-          region.shear_velocity * 1e-3, region.density * 1e-3, source.distance * 1e-3};
-}
+// The formulas are in cgs, bars and kilometres.
+constexpr double dyne_cm = 1e-7;  // N m
+constexpr double bar = 1e-5;      // bar in a Pa
 
 double spreading(const Region& region, double distance) {
   double product = 1.0;
@@ -67,13 +57,6 @@ double spreading(const Region& region, double distance) {
     if (to > from) product *= std::pow(to / from, exponent);
   }
   return product;
-}
-
-// Boore & Thompson, active crust: effective distance (km), seconds; 0.156 s/km beyond.
-double path_duration(double distance) {
-  constexpr std::array<std::pair<double, double>, 6> table = {
-      {{0.0, 0.0}, {7.0, 2.4}, {45.0, 8.4}, {125.0, 10.9}, {175.0, 17.4}, {270.0, 34.2}}};
-  return interpolated(table, distance) + 0.156 * std::max(0.0, distance - 270.0);
 }
 
 // The share of noise that lies in the spectrum's shape: window, transform, mean square 1.
@@ -93,26 +76,50 @@ std::vector<std::complex<double>> unit_noise(std::size_t samples, std::size_t si
 
 }  // namespace
 
+double seismic_moment(double magnitude) {
+  return std::pow(10.0, 1.5 * magnitude + 16.05) * dyne_cm;
+}
+
+// Boore & Thompson, active crust: effective distance (km), seconds; 0.156 s/km beyond.
+double path_duration(double distance) {
+  constexpr std::array<std::pair<double, double>, 6> table = {
+      {{0.0, 0.0}, {7.0, 2.4}, {45.0, 8.4}, {125.0, 10.9}, {175.0, 17.4}, {270.0, 34.2}}};
+  const double km = distance * 1e-3;
+  return interpolated(table, km) + 0.156 * std::max(0.0, km - 270.0);
+}
+
+double corner_frequency(const Region& region, double moment, double stress_drop) {
+  return 4.9e6 * region.shear_velocity * 1e-3 * std::cbrt(stress_drop * bar / (moment / dyne_cm));
+}
+
 double corner_frequency(const PointSource& source, const Region& region) {
-  const Cgs c = to_cgs(source, region);
-  return 4.9e6 * c.shear_velocity * std::cbrt(c.stress_drop / c.moment);
+  return corner_frequency(region, seismic_moment(source.magnitude), source.stress_drop);
+}
+
+double source_amplitude(const Region& region, double moment, double f) {
+  const double density = region.density * 1e-3, velocity = region.shear_velocity * 1e-3;
+  const double constant = 0.55 * 0.707 * 2.0 * 1e-20 / (4.0 * pi * density * std::pow(velocity, 3));
+  const double w = two_pi * f;
+  return constant * (moment / dyne_cm) * w * w * 0.01;  // cm/s -> m/s
+}
+
+double at_the_site(double source, const Region& region, double distance, double f) {
+  const double km = distance * 1e-3;
+  const double q = region.q0 * std::pow(std::max(f, 0.1), region.q_exponent);
+  const double path = spreading(region, km) * std::exp(-pi * f * km / (q * region.shear_velocity * 1e-3));
+  const double site = region.site_factor * site_amplification(f) * std::exp(-pi * region.kappa * f);
+  const double low = std::pow(region.low_cut / f, 4);
+  return source * path * site / std::sqrt(1.0 + low * low);
 }
 
 double fourier_amplitude(const PointSource& source, const Region& region, double f) {
-  const Cgs c = to_cgs(source, region);
-  const double constant = 0.55 * 0.707 * 2.0 * 1e-20 / (4.0 * pi * c.density * std::pow(c.shear_velocity, 3));
-  const double ratio = f / corner_frequency(source, region), w = two_pi * f;
-  const double q = region.q0 * std::pow(std::max(f, 0.1), region.q_exponent);
-  const double path = spreading(region, c.distance) * std::exp(-pi * f * c.distance / (q * c.shear_velocity));
-  const double site = region.site_factor * site_amplification(f) * std::exp(-pi * region.kappa * f);
-  const double low = std::pow(region.low_cut / f, 4);
-  const double cgs =
-      constant * c.moment * w * w / (1.0 + ratio * ratio) * path * site / std::sqrt(1.0 + low * low);
-  return cgs * 0.01;  // cm/s -> m/s
+  const double ratio = f / corner_frequency(source, region);
+  const double shaped = source_amplitude(region, seismic_moment(source.magnitude), f) / (1.0 + ratio * ratio);
+  return at_the_site(shaped, region, source.distance, f);
 }
 
 double motion_duration(const PointSource& source, const Region& region) {
-  return 1.0 / corner_frequency(source, region) + path_duration(source.distance * 1e-3);
+  return 1.0 / corner_frequency(source, region) + path_duration(source.distance);
 }
 
 double envelope(double time, double end) {
@@ -122,23 +129,32 @@ double envelope(double time, double end) {
   return time <= 0.0 ? 0.0 : std::pow(x * std::exp(1.0 - x), b);
 }
 
-std::vector<double> simulate(const PointSource& source, const Region& region, double interval,
-                             std::size_t count, std::uint64_t seed, std::uint64_t stream) {
-  const double end = 2.0 * motion_duration(source, region);
+void add_shaped_noise(std::vector<double>& motion, const std::function<double(double)>& amplitude,
+                      double duration, double onset, double interval, std::uint64_t seed,
+                      std::uint64_t stream) {
+  const double end = 2.0 * duration;
   const auto window = static_cast<std::size_t>(std::ceil(1.5 * end / interval));  // until it is all but over
   const std::size_t size = next_power_of_two(2 * window);
   auto x = unit_noise(window, size, interval, end, seed, stream);
   const double df = 1.0 / (static_cast<double>(size) * interval);
   x[0] = 0.0;
   for (std::size_t m = 1; m <= size / 2; ++m) {
-    x[m] *= fourier_amplitude(source, region, static_cast<double>(m) * df) / interval;
+    x[m] *= amplitude(static_cast<double>(m) * df) / interval;
     if (m < size / 2) x[size - m] = std::conj(x[m]);
   }
   x[size / 2] = x[size / 2].real();
   inverse_fourier_transform(x);
+  const auto first = static_cast<std::size_t>(std::llround(onset / interval));
+  for (std::size_t k = 0; k < size - window / 2 && first + k < motion.size(); ++k)
+    motion[first + k] += x[k].real();
+}
+
+std::vector<double> simulate(const PointSource& source, const Region& region, double interval,
+                             std::size_t count, std::uint64_t seed, std::uint64_t stream) {
   std::vector<double> motion(count, 0.0);
-  const auto first = static_cast<std::size_t>(std::llround(source.onset / interval));
-  for (std::size_t k = 0; k < size - window / 2 && first + k < count; ++k) motion[first + k] = x[k].real();
+  add_shaped_noise(
+      motion, [&](double f) { return fourier_amplitude(source, region, f); }, motion_duration(source, region),
+      source.onset, interval, seed, stream);
   return motion;
 }
 

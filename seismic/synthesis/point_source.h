@@ -15,6 +15,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -38,6 +39,15 @@ struct PointSource {
   double onset = 0.0;          // s, when its first waves reach the site
 };
 
+/// A source spectrum C M0 (2 pi f)^2 S(f) (m/s at R0) on its way: spreading, Q, kappa, site and low cut.
+double at_the_site(double source, const Region& region, double distance, double frequency);
+/// C (2 pi f)^2 M0 (m/s), a source of moment M0 (N m) before its corner.
+double source_amplitude(const Region& region, double moment, double frequency);
+double seismic_moment(double magnitude);  // N m
+/// f0 (Hz) of moment (N m) and stress drop (Pa).
+double corner_frequency(const Region& region, double moment, double stress_drop);
+double path_duration(double distance);  // s, m
+
 /// m/s.
 double fourier_amplitude(const PointSource& source, const Region& region, double frequency);
 double corner_frequency(const PointSource& source, const Region& region);  // Hz
@@ -45,6 +55,12 @@ double motion_duration(const PointSource& source, const Region& region);   // s,
 
 /// Saragoni & Hart window with peak 1 at 0.2 t_n and 0.05 at t_n.
 double envelope(double time, double end);
+
+/// Noise whose mean square spectrum is that of `amplitude` (m/s at a frequency in Hz), windowed over
+/// `duration` s (T_gm), added to `motion` from `onset` s on.
+void add_shaped_noise(std::vector<double>& motion, const std::function<double(double)>& amplitude,
+                      double duration, double onset, double interval, std::uint64_t seed,
+                      std::uint64_t stream);
 
 /// Acceleration (m/s2) at the site from `onset` on, `count` samples; the same seed and stream give the same.
 std::vector<double> simulate(const PointSource& source, const Region& region, double interval,

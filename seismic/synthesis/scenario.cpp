@@ -2,13 +2,25 @@
 
 #include <cmath>
 
+#include "seismic/constants.h"
+
 namespace dougong::seismic {
 namespace {
 
 constexpr double km = 1000.0, MPa = 1e6;
 
+constexpr double lead = 1.0;  // s of rest before the first arrival from a fault
+
+std::vector<double> of_fault(const Scenario& s, std::uint64_t number, double factor, std::size_t count) {
+  std::vector<double> a = simulate(*s.fault, s.region, s.site, s.interval, lead, s.seed, number, s.duration);
+  a.resize(count, 0.0);
+  for (double& value : a) value *= factor;
+  return a;
+}
+
 std::vector<double> component(const Scenario& scenario, std::uint64_t number, double factor) {
   const auto count = static_cast<std::size_t>(std::llround(scenario.duration / scenario.interval));
+  if (scenario.fault) return of_fault(scenario, number, factor, count);
   std::vector<double> sum(count, 0.0);
   for (std::size_t i = 0; i < scenario.patches.size(); ++i) {
     const std::uint64_t stream = 100 * number + i;
@@ -107,6 +119,34 @@ Scenario kocaeli_scenario() {
   s.patches = {
       {7.1, 5.0 * MPa, 60.0 * km, 4.0}, {7.0, 5.0 * MPa, 35.0 * km, 13.0}, {6.8, 5.0 * MPa, 14.0 * km, 21.0}};
   return s;
+}
+
+// The Imperial fault, 63 x 13 km, breaks from its middle; the site is 6 km beside it, on its soft valley.
+Scenario el_centro_scenario() {
+  Scenario s;
+  s.id = "elcentro-synthetic";
+  s.alias = "elcentro";
+  s.title = "El Centro-style synthetic (Mw 6.95)";
+  s.magnitude = 6.95;
+  s.duration = 40.0;
+  s.seed = 19400518;
+  s.region.kappa = 0.05;
+  s.region.site_factor = 1.5;
+  FiniteFault f;
+  f.magnitude = s.magnitude;
+  f.stress_drop = 5.0 * MPa;
+  f.length = 63.0 * km, f.width = 13.0 * km;
+  f.dip = 80.0 * two_pi / 360.0;
+  f.subfault_length = f.subfault_width = 3.0 * km;
+  f.slip = SlipModel::random;
+  s.fault = f;
+  s.site = {-6.0 * km, 43.0 * km};
+  return s;
+}
+
+std::vector<Scenario> shipped_scenarios() {
+  return {wenchuan_scenario(), tohoku_scenario(),  kobe_scenario(),
+          chichi_scenario(),   kocaeli_scenario(), el_centro_scenario()};
 }
 
 ThreeComponents simulate(const Scenario& scenario) {

@@ -110,19 +110,32 @@ Json file_entry(const Component& component) {
             {"psa_2.0", rounded(info.psa_2_0)}}}};
 }
 
-std::string how_made(const Scenario& s) {
-  std::string text = fmt::format(
-      "stochastic point sources (Boore 2003) summed in time: beta {:g} m/s, density {:g} kg/m3, Q {:g} "
-      "f^{:g}, kappa "
-      "{:g} s, generic rock (Vs30 760 m/s) amplification times {:g}; patches (Mw, stress drop MPa, distance "
-      "km, onset s):",
-      s.region.shear_velocity, s.region.density, s.region.q0, s.region.q_exponent, s.region.kappa,
-      s.region.site_factor);
-  for (const PointSource& p : s.patches) {
+std::string fault_text(const Scenario& s) {
+  const FiniteFault& f = *s.fault;
+  return fmt::format(
+      "a fault of {:g} x {:g} km, dip {:.3g} degrees, stress drop {:g} MPa, in subfaults of {:g} km with "
+      "random slip, broken from its middle at {:g} beta; the site {:g} km beside it and {:g} km along it",
+      f.length * 1e-3, f.width * 1e-3, f.dip * 360.0 / two_pi, f.stress_drop * 1e-6, f.subfault_length * 1e-3,
+      f.rupture_ratio, std::abs(s.site.east) * 1e-3, s.site.north * 1e-3);
+}
+
+std::string patches_text(const Scenario& s) {
+  std::string text = "patches (Mw, stress drop MPa, distance km, onset s):";
+  for (const PointSource& p : s.patches)
     text += fmt::format(" ({:g}, {:g}, {:g}, {:g})", p.magnitude, p.stress_drop * 1e-6, p.distance * 1e-3,
                         p.onset);
-  }
-  return text + fmt::format("; vertical {:.3f} of the horizontal spectrum", s.vertical_ratio);
+  return text;
+}
+
+std::string how_made(const Scenario& s) {
+  return fmt::format(
+      "{}: beta {:g} m/s, density {:g} kg/m3, Q {:g} f^{:g}, kappa {:g} s, generic rock (Vs30 760 m/s) "
+      "amplification times "
+      "{:g}; {}; vertical {:.3f} of the horizontal spectrum",
+      s.fault ? "stochastic finite fault (Motazedian & Atkinson 2005; Boore 2009)"
+              : "stochastic point sources (Boore 2003) summed in time",
+      s.region.shear_velocity, s.region.density, s.region.q0, s.region.q_exponent, s.region.kappa,
+      s.region.site_factor, s.fault ? fault_text(s) : patches_text(s), s.vertical_ratio);
 }
 
 Json entry(const Scenario& s, const std::vector<Component>& components) {
@@ -143,10 +156,8 @@ std::vector<ShippedFile> shipped_files() {
     for (const Component& component : components) out.push_back({component.name, component.bytes});
     records.push_back(entry(scenario, components));
   };
-  add(wenchuan_scenario(), at2_files(wenchuan_scenario()));
-  add(tohoku_scenario(), knet_files(tohoku_scenario()));
-  for (const Scenario& scenario : {kobe_scenario(), chichi_scenario(), kocaeli_scenario()})
-    add(scenario, at2_files(scenario));
+  for (const Scenario& scenario : shipped_scenarios())
+    add(scenario, scenario.alias == "tohoku" ? knet_files(scenario) : at2_files(scenario));
   const Json catalogue = {{"note",
                            "Synthetic motions made by this project; none of them is a recording. SI units; "
                            "PGV after removal of the mean."},

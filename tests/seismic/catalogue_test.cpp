@@ -22,10 +22,10 @@ std::filesystem::path records() {
 
 TEST(Catalogue, FindsTheShippedRecordsByIdAndAlias) {
   const auto catalogue = read_catalogue(records());
-  ASSERT_EQ(catalogue.size(), 5u);
+  ASSERT_EQ(catalogue.size(), 6u);
   EXPECT_EQ(find_entry(catalogue, "wenchuan")->id, "wenchuan-synthetic");
   EXPECT_EQ(find_entry(catalogue, "Tohoku-Synthetic")->alias, "tohoku");
-  for (const char* alias : {"kobe", "chichi", "kocaeli"})
+  for (const char* alias : {"kobe", "chichi", "kocaeli", "elcentro"})
     EXPECT_TRUE(find_entry(catalogue, alias).has_value()) << alias;
   EXPECT_FALSE(find_entry(catalogue, "lisbon").has_value());
 }

@@ -6,6 +6,7 @@
 #include "seismic/conditioning/condition.h"
 #include "seismic/constants.h"
 #include "seismic/describe.h"
+#include "seismic/measures/fourier_spectrum.h"
 #include "seismic/measures/peaks.h"
 #include "seismic/read_record.h"
 #include "seismic/units.h"
@@ -118,6 +119,25 @@ INSTANTIATE_TEST_SUITE_P(P11, RealMeasures,
                                            P11{"kiknet/TKYH121103111446.NS2", 1.571795, 127.36, 0.1255226,
                                                0.8296414, 17.6893, 61.04036, 3.914749, 1.173198}),
                          [](const auto& info) { return std::to_string(info.index); });
+
+// Mean periods that were computed from the same files by another program.
+TEST(RealMeanPeriod, IsTheOneFoundElsewhere) {
+  struct Known {
+    const char* file;
+    double period;
+  };
+  for (const Known& known :
+       {Known{"peer-at2/elCentro.AT2", 0.533}, Known{"rec/EQWenchuan.rec", 0.353},
+        Known{"kiknet/TKYH121103111446.EW2", 0.458}, Known{"kiknet/TKYH121103111446.NS2", 0.426},
+        Known{"kiknet/TKYH121103111446.UD2", 0.352}, Known{"rec/EQTohoku.rec", 0.649}}) {
+    const auto path = real_record(known.file);
+    SKIP_WITHOUT(path);
+    ReadOptions options;
+    options.siblings = false;
+    const Record record = read_record(path, options).components.at(0);
+    EXPECT_NEAR(mean_period(record.acceleration, record.interval), known.period, 0.0011) << known.file;
+  }
+}
 
 TEST(RealColumns, NorthridgeInGWithItsOwnStep) {
   const auto path = real_record("plain-text/Northridge.dat");

@@ -117,5 +117,28 @@ TEST(MotionSheet, HoldsTheVerticalMotionWhenItIsAskedFor) {
   EXPECT_EQ(sheet.acceleration_y.size(), sheet.acceleration_x.size());
 }
 
+TEST(MotionSheet, TellsABuildingWhatDoesNotSuitIt) {
+  const MotionInput motion = make_motion(scenario_with({}), DOUGONG_RECORDS_DIRECTORY);
+  EXPECT_THAT(motion_sheet(motion, 0.05).processing,
+              ::testing::Contains(HasSubstr("too coarse for a building")));
+  EXPECT_THAT(motion_sheet(motion, 12.0).processing,
+              ::testing::Contains(HasSubstr("high-pass corner of 0.1 Hz")));
+  EXPECT_THAT(motion_sheet(motion, 0.5).processing,
+              ::testing::Not(::testing::Contains(HasSubstr("building"))));
+}
+
+TEST(ConditioningOptions, AreThoseOfTheScenario) {
+  const seismic::ConditioningOptions o = conditioning_options(
+      scenario_with({"offset=pre-event", "pre_event=2 s", "baseline=velocity-polynomial", "baseline_degree=5",
+                     "filter_phase=causal", "resample=spline", "end=at-rest"}));
+  EXPECT_EQ(o.offset, seismic::OffsetRemoval::pre_event_mean);
+  EXPECT_EQ(o.pre_event, 2.0);
+  EXPECT_EQ(o.baseline, seismic::BaselineCorrection::velocity_polynomial);
+  EXPECT_EQ(o.baseline_degree, 5);
+  EXPECT_EQ(o.phase, seismic::FilterPhase::causal);
+  EXPECT_EQ(o.resample_method, seismic::ResampleMethod::spline);
+  EXPECT_EQ(o.end, seismic::EndRule::at_rest);
+}
+
 }  // namespace
 }  // namespace dougong::app::testing

@@ -117,12 +117,21 @@ TEST(Condition, TellsEveryWrongOptionAtOnce) {
   ConditioningOptions options;
   options.high_pass = 80.0;
   options.target_pga = -1.0;
-  options.order = 3;
+  options.order = 13;
   const std::string text =
       input_error([&] { condition(set_of({record_of(testing::record_a(), "EW")}), options); });
   EXPECT_THAT(text, HasSubstr("Nyquist frequency, 50 Hz, found 80 Hz"));
   EXPECT_THAT(text, HasSubstr("a positive target PGA, found -1"));
-  EXPECT_THAT(text, HasSubstr("even filter order"));
+  EXPECT_THAT(text, HasSubstr("a filter order from 1 to 12, found 13"));
+}
+
+TEST(Condition, RefusesACornerWhosePadsNoMemoryHolds) {
+  ConditioningOptions options;
+  options.high_pass = 1e-6;
+  EXPECT_THAT(input_error([&] { condition(set_of({record_of(testing::record_a(), "EW")}), options); }),
+              HasSubstr("at most 1e+07 samples, found 3e+06 s of zeros"));
+  options.pad = 30.0;
+  EXPECT_EQ(condition(set_of({record_of(testing::record_a(), "EW")}), options).horizontal.size(), 5001u);
 }
 
 TEST(Condition, RefusesAVerticalComponentAsHorizontalMotion) {
@@ -169,6 +178,69 @@ TEST(Condition, RemovesThePreEventMeanWhenAskedTo) {
   const auto motion = condition(set_of({record_of(a, "EW")}), options);
   EXPECT_NEAR(motion.horizontal[700], 0.0, 1e-15);
   EXPECT_NEAR(motion.horizontal[1050], 1.0, 1e-15);
+}
+
+TEST(Condition, EndsAtRestWhereAskedTo) {
+  ConditioningOptions options;
+  options.filter = false;
+  options.end = EndRule::at_rest;
+  options.target_pga = 3.0;
+  const auto motion = condition(set_of({record_of(testing::record_a(), "EW")}), options);
+  EXPECT_NEAR(motion.residual_velocity, 0.0, 1e-12);
+  EXPECT_NEAR(motion.residual_displacement, 0.0, 1e-11);
+  EXPECT_THAT(motion.processing, Contains(HasSubstr("rest: EW ended at")));
+  EXPECT_TRUE(motion.warnings.empty());
+}
+
+TEST(Condition, ByACausalFilterMovesNothingBeforeTheRecord) {
+  auto a = std::vector<double>(1000, 0.0);
+  a[500] = 1.0;
+  ConditioningOptions options;
+  options.offset = OffsetRemoval::none;
+  options.taper_fraction = 0.0;
+  options.kept_pad = 0.0;
+  options.phase = FilterPhase::causal;
+  const auto causal = condition(set_of({record_of(a, "EW")}), options);
+  EXPECT_EQ(peak(std::span(causal.horizontal).first(500), 0.01).value, 0.0);
+  EXPECT_THAT(causal.processing, Contains(HasSubstr("forward (causal)")));
+  options.phase = FilterPhase::zero;
+  const auto zero = condition(set_of({record_of(a, "EW")}), options);
+  EXPECT_GT(peak(std::span(zero.horizontal).first(500), 0.01).value, 0.01);
+}
+
+TEST(Condition, TakesOffAPolynomialOfTheDegreeAskedFor) {
+  ConditioningOptions options;
+  options.baseline = BaselineCorrection::velocity_polynomial;
+  options.baseline_degree = 4;
+  EXPECT_THAT(condition(set_of({record_of(testing::record_a(), "EW")}), options).processing,
+              Contains(HasSubstr("polynomial of velocity of degree 4 taken off EW")));
+  options.baseline_degree = 0;
+  EXPECT_THAT(input_error([&] { condition(set_of({record_of(testing::record_a(), "EW")}), options); }),
+              HasSubstr("a degree of the baseline from 1 to 6, found 0"));
+}
+
+TEST(Condition, KeepsTheStagesThatChangedSomething) {
+  ConditioningOptions options;
+  options.keep_stages = true;
+  const auto motion = condition(set_of({record_of(with_offset(testing::record_a(), 0.4), "EW")}), options);
+  std::vector<std::string> steps;
+  for (const ConditioningStage& stage : motion.stages) steps.push_back(stage.step);
+  EXPECT_EQ(steps, (std::vector<std::string>{"read", "offset", "taper", "filter"}));
+  EXPECT_EQ(motion.stages.back().acceleration, motion.horizontal);
+  EXPECT_EQ(motion.stages.back().lead, 5.0);
+}
+
+TEST(BuildingWarnings, TellOfACoarseRecordAndOfCornersAtTheBuildingsFrequency) {
+  const auto motion = condition(set_of({record_of(testing::record_a(0.02), "EW", 0.02)}));
+  EXPECT_TRUE(building_warnings(motion, 0.5).empty());
+  EXPECT_TRUE(building_warnings(motion, 0.2).empty());
+  EXPECT_THAT(building_warnings(motion, 0.15), Contains(HasSubstr("too coarse for a building of 0.15 s")));
+  EXPECT_THAT(building_warnings(motion, 9.0), Contains(HasSubstr("high-pass corner of 0.1 Hz")));
+  EXPECT_TRUE(building_warnings(motion, 7.9).empty());
+  ConditioningOptions options;
+  options.low_pass = 3.0;
+  const auto dull = condition(set_of({record_of(testing::record_a(), "EW")}), options);
+  EXPECT_THAT(building_warnings(dull, 0.2), Contains(HasSubstr("low-pass corner of 3 Hz is below")));
 }
 
 TEST(Condition, OfARecordOfZerosIsZero) {

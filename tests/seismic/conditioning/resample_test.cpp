@@ -29,6 +29,12 @@ TEST(Resample, LinearHasTheErrorOfP04) {
   EXPECT_NEAR(error_of(0.01, 0.004, ResampleMethod::linear), 0.033, 0.0005);
 }
 
+TEST(Resample, BySplineHasTheErrorOfP04) {
+  EXPECT_NEAR(error_of(0.01, 0.004, ResampleMethod::spline), 0.00085, 0.00002);
+  const std::vector<double> two = {0.0, 1.0};
+  EXPECT_EQ(resample(two, 0.01, 0.005, ResampleMethod::spline).size(), 3u);
+}
+
 TEST(Resample, TakesRatiosThatAreNotRational) {
   EXPECT_LT(error_of(0.01, 0.01 / std::numbers::pi, ResampleMethod::fft), 1e-9);
   EXPECT_LT(error_of(0.01, 0.0123456, ResampleMethod::fft), 1e-9);  // new Nyquist 40.5 Hz, motion below 20 Hz
