@@ -6,7 +6,6 @@
 #include <array>
 #include <cctype>
 #include <fstream>
-#include <iterator>
 #include <system_error>
 #include <utility>
 
@@ -14,6 +13,8 @@
 
 namespace dougong::seismic {
 namespace {
+
+constexpr std::size_t chunk = std::size_t{1} << 20;  // bytes asked for at a time
 
 std::vector<std::string_view> split_lines(std::string_view bytes) {
   std::vector<std::string_view> lines;
@@ -36,14 +37,27 @@ void require_file(const std::filesystem::path& path) {
 
 }  // namespace
 
-void load_file(const std::filesystem::path& path, FileText& text) {
+std::string read_bytes(const std::filesystem::path& path) {
   require_file(path);
   std::ifstream in(path, std::ios::binary);
   if (!in) throw InputError(path.string(), 0, "a readable file", "one that cannot be opened");
-  std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  std::string bytes;
+  while (in && bytes.size() <= largest_file) {
+    const std::size_t before = bytes.size();
+    bytes.resize(before + chunk);
+    in.read(bytes.data() + before, static_cast<std::streamsize>(chunk));
+    bytes.resize(before + static_cast<std::size_t>(in.gcount()));
+  }
   if (in.bad()) throw InputError(path.string(), 0, "a readable file", "an error while reading it");
   if (bytes.empty()) throw InputError(path.string(), 0, "a recording", "an empty file (zero length)");
-  set_bytes(path.string(), std::move(bytes), text);
+  if (bytes.size() > largest_file)
+    throw InputError(path.string(), 0, fmt::format("a recording of at most {} MiB", largest_file >> 20),
+                     "a larger file");
+  return bytes;
+}
+
+void load_file(const std::filesystem::path& path, FileText& text) {
+  set_bytes(path.string(), read_bytes(path), text);
 }
 
 void set_bytes(std::string name, std::string bytes, FileText& text) {

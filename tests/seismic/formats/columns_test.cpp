@@ -94,7 +94,8 @@ TEST(Columns, RefusesTimesThatAreNotUniform) {
   EXPECT_THAT(
       input_error([&] { read(bytes, in_units("g")); }),
       HasSubstr(
-          "a.csv:32: expected equal time steps (0.0103226 s on average), found a step of 0.02 s to 0.31 s"));
+          "a.csv:32: expected equal time steps (0.0103226 s on average; option dt resamples to equal ones), "
+          "found a step of 0.02 s to 0.31 s"));
 }
 
 TEST(Columns, RefusesTimesThatGoBack) {
