@@ -205,9 +205,12 @@ void choose_component(RecordSet& set, const ReadOptions& options, const std::str
   if (set.horizontal().axis == Axis::horizontal) return;
   const std::size_t other = first_horizontal(set);
   if (other == set.chosen) return;
-  set.warnings.push_back(fmt::format("{} is a vertical component: {} drives the horizontal axis",
-                                     set.horizontal().component, set.components[other].component));
+  const auto& given = set.components[set.chosen].provenance;
+  const bool one_of_many = set.components.size() > 1 && set.components[1].provenance.file == given.file;
   set.chosen = other;
+  if (one_of_many) return;
+  set.warnings.push_back(fmt::format("{} is a vertical component: {} drives the horizontal axis",
+                                     given.component, set.components[other].component));
 }
 
 // Components on one time base; one that is longer or shorter by a few samples is cut to the shortest.

@@ -12,6 +12,7 @@
 #include "seismic/constants.h"                   // g
 #include "seismic/describe.h"                    // facts and measures of a record
 #include "seismic/formats/format.h"              // the table of formats
+#include "seismic/formats/write_record.h"        // records to files
 #include "seismic/input_error.h"                 // what is wrong with an input
 #include "seismic/measures/integrate.h"          // velocity and displacement
 #include "seismic/measures/intensity.h"          // Arias, CAV, durations
@@ -23,6 +24,8 @@
 #include "seismic/motions/pulse_motion.h"        // rectangular pulses
 #include "seismic/read_record.h"                 // files to records
 #include "seismic/record.h"                      // what a record is
+#include "seismic/rotate.h"                      // horizontal pairs to any direction
+#include "seismic/stations.h"                    // channels by station
 #include "seismic/synthesis/point_source.h"      // stochastic motion of one patch
 #include "seismic/synthesis/scenario.h"          // the shipped earthquakes
 #include "seismic/synthesis/shipped.h"           // the shipped files

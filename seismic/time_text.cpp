@@ -96,4 +96,15 @@ std::string iso_time_in(std::string_view text, DateOrder order, std::string_view
                   integer(parts[4]), second + later, zone);
 }
 
+std::string shifted_time(const std::string& iso, double later) {
+  constexpr std::size_t zone_at = 23;  // behind "2018-01-24T19:51:28.000"
+  double east = 0.0;
+  if (iso.size() >= zone_at + 6 && (iso[zone_at] == '+' || iso[zone_at] == '-')) {
+    const double hours = leading_number(iso.substr(zone_at + 1, 2)).value_or(0.0);
+    const double minutes = leading_number(iso.substr(zone_at + 4, 2)).value_or(0.0);
+    east = (iso[zone_at] == '-' ? -60.0 : 60.0) * (60.0 * hours + minutes);
+  }
+  return iso_time_in(iso.substr(0, zone_at), DateOrder::year_month_day, "", later - east);
+}
+
 }  // namespace dougong::seismic

@@ -23,4 +23,8 @@ std::string iso_time_of_day(int year, int day_of_year, int hour, int minute, dou
 std::string iso_time_in(std::string_view text, DateOrder order, std::string_view zone = "",
                         double later = 0.0);
 
+/// An ISO time with its zone in UTC, `later` s on, without a zone; a time that names none is taken as UTC.
+/// Empty for a text that is no time.
+std::string shifted_time(const std::string& iso, double later);
+
 }  // namespace dougong::seismic

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "app/study/quantity.h"
 
 namespace dougong::app {
@@ -10,6 +12,9 @@ namespace {
 seismic::ReadOptions read_options(const RecordChoice& choice) {
   seismic::ReadOptions options;
   if (!choice.component.empty()) options.component = choice.component;
+  if (!choice.station.empty()) options.station = choice.station;
+  if (!choice.member.empty()) options.member = choice.member;
+  if (!choice.response.empty()) options.response = choice.response;
   if (!choice.units.empty()) options.units = choice.units;
   if (!choice.format.empty()) options.format = choice.format;
   options.interval = choice.interval;
@@ -87,6 +92,13 @@ seismic::RecordSet read_scenario_record(const RecordChoice& choice, const std::f
   const seismic::ReadOptions options = read_options(choice);
   if (!choice.file.empty()) return seismic::read_record(choice.file, options);
   return seismic::read_records(entry_named(choice.name, directory).paths(), options);
+}
+
+seismic::Channels read_scenario_channels(const RecordChoice& choice, const std::filesystem::path& directory) {
+  seismic::ReadOptions options = read_options(choice);
+  if (!choice.file.empty()) return seismic::read_channels(choice.file, options);
+  seismic::RecordSet set = seismic::read_records(entry_named(choice.name, directory).paths(), options);
+  return {std::move(set.components), std::move(set.warnings)};
 }
 
 MotionInput make_motion(const Scenario& scenario, const std::filesystem::path& directory) {

@@ -19,6 +19,9 @@ struct MotionInput {
 /// Reads the file, or the entry of the catalogue in records_directory. Throws seismic::InputError.
 seismic::RecordSet read_scenario_record(const RecordChoice& choice,
                                         const std::filesystem::path& records_directory);
+/// Every channel of it, each as long as the file has it. Throws seismic::InputError.
+seismic::Channels read_scenario_channels(const RecordChoice& choice,
+                                         const std::filesystem::path& records_directory);
 /// Throws seismic::InputError.
 MotionInput make_motion(const Scenario& scenario, const std::filesystem::path& records_directory);
 /// period: of the building, marked in the spectrum; 0 for none.

@@ -1,18 +1,23 @@
 #include "seismic/formats/csmnc.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <regex>
 #include <utility>
 
 #include "seismic/formats/header_text.h"
 #include "seismic/formats/samples.h"
+#include "seismic/measures/peaks.h"
 #include "seismic/numerics/parse_number.h"
 
 namespace dougong::seismic {
 namespace {
 
 constexpr std::size_t longest_header = 30;  // lines; 16 in the known form
+constexpr double gal = 0.01;                // m/s2
 
 struct Header {
   std::size_t points = 0;
@@ -64,7 +69,8 @@ void describe_source(const FileText& text, const Header& header, Record& record)
   from.station = first_word(station);
   from.station_place = place_in(behind(station, from.station));
   from.hypocentre = hypocentre_in(labelled(text, "EPICENTER"));
-  from.treatment = "none: uncorrected";
+  from.processed = !find_line(text, "UNCORRECTED", 0, header.first);
+  from.treatment = from.processed ? "corrected" : "none: uncorrected";
   name_component(record, labelled(text, "COMP."));
 }
 
@@ -97,6 +103,34 @@ Record read_csmnc(const FileText& text, const ReadOptions& options) {
   check_peak(text, factor, record);
   remove_recorded_offset(record, false, options);
   return record;
+}
+
+std::string write_csmnc(const Record& record) {
+  const Provenance& from = record.provenance;
+  const auto degrees = [](const std::optional<Place>& place) {
+    if (!place) return std::string{};
+    return fmt::format("{:7.3f}{} {:7.3f}{}", std::abs(place->latitude), place->latitude < 0.0 ? 'S' : 'N',
+                       std::abs(place->longitude), place->longitude < 0.0 ? 'W' : 'E');
+  };
+  const Peak top = peak(record.acceleration, record.interval);
+  std::string out =
+      fmt::format("{}\n{}\n{}\n", printable(from.station), from.start_time, printable(from.event));
+  out += fmt::format("EPICENTER {}\nMAGNITUDE\nSTATION: {} {}\n", degrees(from.hypocentre),
+                     printable(from.station), degrees(from.station_place));
+  out += "SITE CONDITION:\nINSTRUMENT TYPE:\nOBSERVING POINT:\n";
+  out += fmt::format("COMP. {}\n", printable(record.component));
+  out += fmt::format("{} ACCELERATION          UNIT: CM/SEC/SEC\n",
+                     from.processed ? "CORRECTED" : "UNCORRECTED");
+  out += fmt::format("NO. OF POINTS:  {}  EQUALLY SPACED INTERVALS OF:  {}  SEC\n",
+                     record.acceleration.size(), record.interval);
+  out += fmt::format("PEAK VALUE: {:12.3f}   AT  {:g} SEC    DURATION:  {:g} SEC\n",
+                     record.acceleration[top.index] / gal, top.time, record.duration());
+  out += fmt::format("PRE-EVENT TIME:  0  SEC\nCSMNC{}\n\n", from.synthetic ? "  SYNTHETIC" : "");
+  for (std::size_t i = 0; i < record.acceleration.size(); ++i) {
+    const bool last = i % 8 == 7 || i + 1 == record.acceleration.size();
+    out += fmt::format("{:14.6E}{}", record.acceleration[i] / gal, last ? "\n" : " ");
+  }
+  return out;
 }
 
 }  // namespace dougong::seismic

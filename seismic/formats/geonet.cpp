@@ -49,6 +49,9 @@ Component read_component(const FileText& text, std::size_t start, std::vector<In
   c.end = line;
   if (c.corrected)
     c.end += lines_for(c.integers[points_of_velocity]) + lines_for(c.integers[points_of_displacement]);
+  if (problems.empty() && c.end > text.lines.size())
+    problems.push_back({text.name, text.lines.size(), "velocity and displacement behind the acceleration",
+                        "the end of the file (it is truncated)"});
   return c;
 }
 

@@ -183,7 +183,10 @@ std::string write_peer_at2(const PeerAt2Sheet& sheet) {
   std::string out = sheet.title + "\n";
   out += fmt::format("{}, {}, {}, {}\n", sheet.event, sheet.date, sheet.station, sheet.component);
   out += "ACCELERATION TIME SERIES IN UNITS OF G\n";
-  out += fmt::format("NPTS= {:6}, DT= {:7.4f} SEC\n", sheet.acceleration.size(), sheet.interval);
+  const std::string four_decimals = fmt::format("{:7.4f}", sheet.interval);
+  const bool exact = parse_number(four_decimals) == sheet.interval;
+  out += fmt::format("NPTS= {:6}, DT= {} SEC\n", sheet.acceleration.size(),
+                     exact ? four_decimals : fmt::format("{}", sheet.interval));
   for (std::size_t i = 0; i < sheet.acceleration.size(); ++i) {
     const bool last = i % 5 == 4 || i + 1 == sheet.acceleration.size();
     out += fmt::format("{:15.7E}{}", sheet.acceleration[i] / standard_gravity, last ? "\n" : "");

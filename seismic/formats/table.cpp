@@ -13,6 +13,7 @@
 #include "seismic/formats/nsmn.h"
 #include "seismic/formats/peer_at2.h"
 #include "seismic/formats/rec_shape.h"
+#include "seismic/formats/record_csv.h"
 #include "seismic/formats/sac.h"
 #include "seismic/formats/smc.h"
 #include "seismic/formats/unam.h"
@@ -37,6 +38,7 @@ std::span<const Format> formats() {
       Format{"sac", "SAC", is_sac, one<read_sac>},
       Format{"knet", "K-NET/KiK-net ASCII", is_knet, one<read_knet>, knet_siblings},
       Format{"knet-csv", "K-NET/KiK-net CSV", is_knet_csv, read_knet_csv},
+      Format{"record-csv", "Dougong CSV", is_record_csv, read_record_csv},
       Format{"csmnc", "CSMNC uncorrected", is_csmnc, one<read_csmnc>},
       Format{"rec", "normalised .rec shape", is_rec_shape, one<read_rec_shape>},
       Format{"dyna", "DYNA 1.2", is_dyna, one<read_dyna>, dyna_siblings},

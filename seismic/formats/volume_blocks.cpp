@@ -79,6 +79,24 @@ std::vector<VolumeChannel> corrected_channels(const FileText& text) {
   return channels;
 }
 
+std::optional<std::size_t> unfinished_header(const FileText& text, const VolumeChannel& last) {
+  for (std::size_t i = last.data; i < text.lines.size(); ++i) {
+    if (!text.lines[i].starts_with("/&")) continue;
+    return find_line(text, "CORRECTED ACCELEROGRAM", i + 1, text.lines.size());
+  }
+  return std::nullopt;
+}
+
+bool ends_within_a_block(const FileText& text) {
+  for (std::size_t i = text.lines.size(); i-- > 0;) {
+    if (!is_title(text.lines[i], "")) continue;
+    const FieldFormat format = field_format_in(text.lines[i]).value_or(FieldFormat{8, 10});
+    const std::size_t points = sample_count(leading_number(text.lines[i]).value_or(0.0));
+    return text.lines.size() - i - 1 < (points + format.per_line - 1) / format.per_line;
+  }
+  return false;
+}
+
 std::vector<VolumeChannel> uncorrected_channels(const FileText& text, std::size_t fields,
                                                 std::vector<InputProblem>& problems) {
   std::vector<VolumeChannel> channels;

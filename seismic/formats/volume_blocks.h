@@ -24,6 +24,11 @@ struct VolumeChannel {
 
 /// The acceleration of every channel of volume 2.
 std::vector<VolumeChannel> corrected_channels(const FileText& text);
+/// Index of a header behind the mark "/&" that ends the last channel; nothing when none begins there.
+std::optional<std::size_t> unfinished_header(const FileText& text, const VolumeChannel& last);
+/// True when the last titled block of volume 2, whatever its quantity, has fewer lines than it states.
+bool ends_within_a_block(const FileText& text);
+
 /// Every channel of volume 1, of so many fields a point (2: time and value). A header without 50 reals below
 /// "NO. OF POINTS" is a problem.
 std::vector<VolumeChannel> uncorrected_channels(const FileText& text, std::size_t fields,

@@ -16,6 +16,8 @@
 namespace dougong::seismic {
 namespace {
 
+constexpr std::size_t longest_text = 25;  // lines of text above the numbers of a channel's header
+
 std::string first_line(const FileText& text) {
   return std::string(line_at(text, 0));
 }
@@ -77,7 +79,7 @@ std::string start_time_in(const FileText& text, const VolumeChannel& channel) {
 
 void describe_source(const FileText& text, const VolumeChannel& channel, Record& record) {
   Provenance& from = record.provenance;
-  keep_header(text, channel.start, channel.stated + 1, from);
+  keep_header(text, channel.start, std::min(channel.start + longest_text, channel.data), from);
   from.event = event_in(text, channel);
   describe_station(text, channel, from);
   if (const auto line = find_line(text, "HYPOCENTER", channel.start, channel.stated))
@@ -102,6 +104,9 @@ std::vector<Record> read_corrected(const FileText& text, const ReadOptions& opti
   const std::vector<VolumeChannel> channels = corrected_channels(text);
   if (channels.empty())
     throw InputError(text.name, 0, "a line \"... points of accel data equally spaced at ...\"", "none");
+  if (const auto header = unfinished_header(text, channels.back()))
+    throw InputError(text.name, *header + 1, "the data of the channel whose header begins here",
+                     "none (the file is truncated)");
   std::vector<Record> records;
   for (const VolumeChannel& channel : channels) {
     std::vector<InputProblem> problems;
@@ -117,6 +122,9 @@ std::vector<Record> read_corrected(const FileText& text, const ReadOptions& opti
     check_corrected_peak(text, channel, factor, record);
     remove_recorded_offset(record, false, options);
   }
+  if (ends_within_a_block(text))
+    records.back().warnings.push_back(
+        "the file ends within the velocity or displacement behind this acceleration: it was cut off");
   return records;
 }
 
@@ -153,7 +161,7 @@ std::vector<Record> read_uncorrected(const FileText& text, const ReadOptions& op
     const double factor = stated_factor(text, channel.units, 0, options, problems);
     EvenSeries series = read_series(text, channel, options, problems);
     ReadOptions agreed = options;
-    agreed.interval.reset();  // resampled to it
+    if (fields == 2) agreed.interval.reset();  // resampled to it
     records.push_back(make_channel(text,
                                    {title, component_in(text, channel), channel.units,
                                     std::move(series.values), factor, series.interval, channel.stated + 1},

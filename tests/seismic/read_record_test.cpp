@@ -34,7 +34,7 @@ TEST(ReadRecord, TakesTheFormatAskedFor) {
               HasSubstr("Memo."));
   options.format = "excel";
   EXPECT_THAT(input_error([&] { read_record(write_file("a.txt", "1 2\n3 4\n"), options); }),
-              HasSubstr("expected one of miniseed, sac, knet, knet-csv, csmnc, rec, dyna"));
+              HasSubstr("expected one of miniseed, sac, knet, knet-csv, record-csv, csmnc, rec, dyna"));
 }
 
 TEST(ReadRecord, ErrorsCarryFileLineExpectedAndFound) {
