@@ -18,9 +18,14 @@ std::string letters_and_digits(std::string_view name) {
   return plain;
 }
 
-// "EW2" -> "EW": the digit of a borehole or surface sensor.
+// "EW2": with the digit of a borehole or surface sensor.
+bool names_a_sensor(const std::string& plain) {
+  return plain.size() == 3 && std::isalpha(static_cast<unsigned char>(plain[1])) &&
+         (plain[2] == '1' || plain[2] == '2');
+}
+
 std::string without_sensor(std::string plain) {
-  if (plain.size() == 3 && (plain[2] == '1' || plain[2] == '2')) plain.pop_back();
+  if (names_a_sensor(plain)) plain.pop_back();
   return plain;
 }
 
@@ -62,6 +67,8 @@ std::optional<double> compass_point(const std::string& name) {
 
 std::optional<double> azimuth_of(std::string_view component) {
   if (axis_of(component) == Axis::vertical) return std::nullopt;
+  if (component.starts_with("-") && component.find_first_not_of("-0123456789.") == std::string_view::npos)
+    return std::nullopt;
   const std::string plain = letters_and_digits(component);
   if (const auto angle = bearing(plain)) return angle;
   if (const auto angle = degrees(plain)) return angle;
@@ -70,7 +77,8 @@ std::optional<double> azimuth_of(std::string_view component) {
 
 bool is_component(const Record& record, std::string_view asked) {
   const std::string own = letters_and_digits(record.component), wanted = letters_and_digits(asked);
-  if (own == wanted || without_sensor(own) == without_sensor(wanted)) return true;
+  if (own == wanted || (names_a_sensor(own) && names_a_sensor(wanted))) return own == wanted;
+  if (without_sensor(own) == without_sensor(wanted)) return true;
   const auto azimuth = azimuth_of(asked);
   if (!azimuth || !record.azimuth || record.axis == Axis::vertical) return false;
   return std::abs(std::remainder(*azimuth - *record.azimuth, 360.0)) <= 0.5;

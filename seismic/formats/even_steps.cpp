@@ -124,12 +124,15 @@ std::optional<EvenSeries> to_even_steps(const std::vector<double>& times, std::v
 }
 
 double plain_interval(double step, double tolerance) {
-  for (double scale = 1e2; scale <= 1e5; scale *= 10.0) {
-    const double rounded = std::round(step * scale) / scale;
-    if (rounded > 0.0 && std::abs(rounded - step) <= tolerance * step) return rounded;
-  }
-  const double rate = std::round(1.0 / step);
-  if (rate > 0.0 && std::abs(1.0 / rate - step) <= tolerance * step) return 1.0 / rate;
+  const auto is_near = [&](double plain) {
+    return plain > 0.0 && std::abs(plain - step) <= tolerance * step;
+  };
+  // Few decimals first (0.005), then whole rates (1/128), then many decimals.
+  for (double scale = 1e2; scale <= 1e4; scale *= 10.0)
+    if (const double plain = std::round(step * scale) / scale; is_near(plain)) return plain;
+  if (const double plain = 1.0 / std::max(1.0, std::round(1.0 / step)); is_near(plain)) return plain;
+  for (double scale = 1e5; scale <= 1e7; scale *= 10.0)
+    if (const double plain = std::round(step * scale) / scale; is_near(plain)) return plain;
   return step;
 }
 

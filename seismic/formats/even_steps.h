@@ -35,7 +35,8 @@ std::optional<std::size_t> first_time_back(const std::vector<double>& times);
 std::optional<EvenSeries> to_even_steps(const std::vector<double>& times, std::vector<double> values,
                                         std::optional<double> interval = std::nullopt);
 
-/// A step of 0.00999999 is 0.01 when that is within `tolerance` of it: few decimals and no others.
+/// A step of 0.00999999 is 0.01 when that is within `tolerance` (relative) of it: few decimals, or a whole
+/// rate.
 double plain_interval(double step, double tolerance);
 
 }  // namespace dougong::seismic
