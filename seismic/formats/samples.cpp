@@ -122,7 +122,12 @@ double declared_factor(const FileText& text, const std::string& hint, const Read
 Record make_record(const FileText& text, std::string_view format, std::vector<double> values, double factor,
                    double interval, std::string units) {
   Record record;
-  for (double& value : values) value *= factor;
+  bool finite = true;
+  for (double& value : values) {
+    value *= factor;
+    finite = finite && std::isfinite(value);
+  }
+  if (!finite) throw InputError(text.name, 0, "accelerations that are finite", "a value beyond any number");
   record.acceleration = std::move(values);
   record.interval = interval;
   record.provenance.format = format;

@@ -83,8 +83,10 @@ ReadOptions in_units(const char* units) {
 }  // namespace
 
 double sample(std::size_t k) {
-  return 2.0 * std::exp(-static_cast<double>(k) / 7.0) *
-         (k == 5 ? 0.5 * std::exp(5.0 / 7.0) : 0.35 * std::sin(0.9 * static_cast<double>(k)));
+  const double n = static_cast<double>(k);
+  if (k > 100) return 0.4 * std::sin(0.37 * n) + 0.3 * std::sin(1.7 * n);
+  if (k == 5) return 1.0;
+  return 0.7 * std::exp(-n / 7.0) * std::sin(0.9 * n);
 }
 
 GeneratedFile at2_file() {
@@ -116,7 +118,8 @@ std::string nied_csv(const std::string& heights, const std::string& titles, std:
   std::string out = "#K-NET CSV\n#Event\n#OriginTime,Latitude,Longitude,Depth(km),Magnitude\n";
   out += "#2019/01/02 17:47:00,36.708,140.952,32,3.8\n#Station\n#Code,Latitude,Longitude,Height(m)\n";
   out += "#FKS005,37.6389,140.9853," + heights +
-         "\n#Record\n#SamplingFrequency(Hz)\n#100\n#DurationTime(s)\n#1.01\n";
+         "\n#Record\n#SamplingFrequency(Hz)\n#100\n#DurationTime(s)\n#" +
+         fmt::format("{}\n", interval * static_cast<double>(samples));
   out += "#Offset\n#" + titles + "\n#0\n#Time,RelativeTime(s)," + titles + "\n";
   for (std::size_t k = 0; k < samples; ++k) {
     const double t = interval * static_cast<double>(k);
@@ -477,8 +480,8 @@ GeneratedFile cwa_file() {
       "#EpicenterLatitude(N): 24.14\r\n#Depth(km): 10.0\r\n#Magnitude(Ml): 6.0\r\n\r\n#Station "
       "Information\r\n";
   out += "#StationCode: ECU\r\n#StationLongitude(E): 121.092\r\n#StationLatitude(N): 22.860\r\n";
-  out +=
-      "#StartTime(GMT+08): 2018/02/06-23:50:29.000\r\n#RecordLength(sec): 1.01\r\n#SampleRate(Hz): 100\r\n";
+  out += "#StartTime(GMT+08): 2018/02/06-23:50:29.000\r\n#RecordLength(sec): " +
+         fmt::format("{}\r\n#SampleRate(Hz): 100\r\n", interval * static_cast<double>(samples));
   out += "#AmplitudeUnit:  gal. DCoffset(corr)\r\n#AmplitudeMAX. U:  100.000~   -60.017\r\n";
   out += "#DataSequence: Time U(+); N(+); E(+)\r\n#Data: 4F10.3 \r\n";
   for (std::size_t k = 0; k < samples; ++k)

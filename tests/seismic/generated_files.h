@@ -9,10 +9,12 @@
 
 namespace dougong::seismic::testing {
 
-/// Sample k of the motion that all files hold: a peak of 1 m/s2 at k = 5, negative ones too.
+/// Sample k of the motion that all files hold: a peak of 1 m/s2 at k = 5, negative ones too; decaying to
+/// k = 100, and never at rest beyond.
 double sample(std::size_t k);
 
-inline constexpr std::size_t samples = 101;
+/// Of every file that is made; a bench of the readers asks for more.
+inline std::size_t samples = 101;
 
 struct GeneratedFile {
   std::string format;  // id in the table
