@@ -31,11 +31,12 @@ struct Provenance {
   std::string treatment;   // by the publisher, in the file's words: filters, baseline
   std::string start_time;  // of the first sample, ISO 8601, with its zone where the file names one
   std::optional<Place> station_place, hypocentre;
-  std::string format;      // title of the format
-  std::string file;        // path as given
-  std::string member;      // of the archive that the file is
-  std::string sha256;      // of the file's bytes
-  bool synthetic = false;  // the file says it is no recording
+  std::string format;                 // title of the format
+  std::string file;                   // path as given
+  std::string member;                 // of the archive that the file is
+  std::optional<double> stated_peak;  // m/s2, greatest |a| as the file itself states it
+  std::string sha256;                 // of the file's bytes
+  bool synthetic = false;             // the file says it is no recording
   bool processed = false;  // the file says, or its format implies, that it was filtered by its publisher
   std::vector<std::pair<std::string, std::string>> header;  // facts as found
 };

@@ -33,6 +33,7 @@ ordered_json facts_json(const seismic::Record& record) {
           {"start_time", from.start_time},
           {"scale", from.scale},
           {"treatment", from.treatment},
+          {"stated_peak_m_s2", from.stated_peak ? ordered_json(*from.stated_peak) : ordered_json(nullptr)},
           {"station_place", place_json(from.station_place)},
           {"hypocentre", place_json(from.hypocentre)}};
 }
@@ -47,6 +48,7 @@ void print_facts(const seismic::Record& record) {
   row("member", from.member);
   row("start", from.start_time);
   row("scale", from.scale);
+  row("stated peak", from.stated_peak ? fmt::format("{:.6g} m/s2", *from.stated_peak) : "");
   row("publisher", from.treatment);
   row("station at", place_text(from.station_place));
   row("hypocentre", place_text(from.hypocentre));

@@ -175,6 +175,9 @@ Record read_peer_at2(const FileText& text, const ReadOptions& options) {
   Record record = make_record(text, "PEER AT2", std::move(values), options.gravity, header.interval, "g");
   record.warnings = std::move(warnings);
   describe_source(text, header, record);
+  // "PGA= .48431 G" on line 3 of some older files.
+  if (const auto stated = number_behind(line_at(text, header.line > 0 ? header.line - 1 : 0), "PGA="))
+    check_stated_peak(record, *stated * options.gravity, 1e-5 * options.gravity);
   remove_recorded_offset(record, false, options);
   return record;
 }

@@ -185,6 +185,7 @@ void check_stated_peak(Record& record, double stated, double printed, bool witho
   double found = 0.0;
   for (const double a : record.acceleration) found = std::max(found, std::abs(a - offset));
   const double asked = std::abs(stated);
+  record.provenance.stated_peak = asked;
   if (std::abs(found - asked) <= 1e-4 * asked + printed) return;
   record.warnings.push_back(
       fmt::format("the header states a peak of {:.6g} m/s2, the samples{} peak at {:.6g} m/s2", asked,
