@@ -22,6 +22,7 @@
 #include "seismic/motions/ground_motion.h"       // a record as prescribed motion
 #include "seismic/motions/harmonic_motion.h"     // sine from rest
 #include "seismic/motions/pulse_motion.h"        // rectangular pulses
+#include "seismic/orientation.h"                 // which way a component points
 #include "seismic/read_record.h"                 // files to records
 #include "seismic/record.h"                      // what a record is
 #include "seismic/rotate.h"                      // horizontal pairs to any direction

@@ -80,7 +80,8 @@ Table read_table(const FileText& text, std::size_t first, std::vector<InputProbl
   return table;
 }
 
-// Half a unit in the last decimal of the time column, the coarsest in the file: "0.0100" -> 0.00005.
+// Half a unit in the last decimal of the time column, the coarsest in the file: "0.0100" -> 0.00005. A lone
+// "0" says nothing of the others.
 double time_rounding(const FileText& text, const Table& table) {
   double decimals = 15.0;
   for (const std::size_t line :
@@ -88,7 +89,7 @@ double time_rounding(const FileText& text, const Table& table) {
     const std::string_view field = trimmed(text.lines[line - 1]);
     const std::string_view time = field.substr(0, field.find_first_of(" \t,;"));
     const auto point = time.find('.');
-    if (time.find_first_of("eEdD") != std::string_view::npos) continue;
+    if (time == "0" || time.find_first_of("eEdD") != std::string_view::npos) continue;
     const std::size_t digits = point == std::string_view::npos ? 0 : time.size() - point - 1;
     decimals = std::min(decimals, static_cast<double>(digits));
   }

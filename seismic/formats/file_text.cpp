@@ -16,12 +16,17 @@ namespace {
 
 constexpr std::size_t chunk = std::size_t{1} << 20;  // bytes asked for at a time
 
-std::vector<std::string_view> split_lines(std::string_view bytes) {
+// Half a gigabyte of them; a file of nothing but line ends would have more.
+constexpr std::size_t most_lines = std::size_t{1} << 25;
+
+std::vector<std::string_view> split_lines(std::string_view bytes, const std::string& name) {
   std::vector<std::string_view> lines;
   while (!bytes.empty()) {
     const auto end = bytes.find('\n');
     std::string_view line = bytes.substr(0, end);
     while (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    if (lines.size() == most_lines)
+      throw InputError(name, 0, fmt::format("a recording of at most {} lines", most_lines), "more");
     lines.push_back(line);
     bytes = end == std::string_view::npos ? std::string_view{} : bytes.substr(end + 1);
   }
@@ -66,7 +71,7 @@ void set_bytes(std::string name, std::string bytes, FileText& text) {
   text.sha256 = sha256_hex(text.bytes);
   std::string_view content = text.bytes;
   if (content.starts_with("\xEF\xBB\xBF")) content.remove_prefix(3);  // UTF-8 byte order mark
-  text.lines = split_lines(content);
+  text.lines = split_lines(content, text.name);
 }
 
 std::string sha256_hex(std::string_view bytes) {

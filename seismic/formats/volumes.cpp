@@ -117,7 +117,7 @@ std::vector<Record> read_corrected(const FileText& text, const ReadOptions& opti
                                     factor, channel.interval, channel.stated + 1},
                                    options, std::move(problems)));
     Record& record = records.back();
-    record.provenance.processed = true;
+    record.provenance.processed = !contains(first_line(text), "UNCORRECTED");
     describe_source(text, channel, record);
     check_corrected_peak(text, channel, factor, record);
     remove_recorded_offset(record, false, options);
@@ -216,10 +216,13 @@ std::vector<Record> read_csmip_v2(const FileText& text, const ReadOptions& optio
 bool is_csmip_v1(const FileText& text) {
   const std::string line = first_line(text);
   return contains(line, "UNCORRECTED ACCELEROGRAM DATA") && !contains(line, "GNS Science") &&
-         !mentions_usc(text) && !is_renadic(text) && find_line(text, "NO. OF POINTS", 0, 30);
+         !mentions_usc(text) && !is_renadic(text) &&
+         (find_line(text, "NO. OF POINTS", 0, 30) || find_line(text, "equally spaced at", 0, 80));
 }
 
 std::vector<Record> read_csmip_v1(const FileText& text, const ReadOptions& options) {
+  // Digital recorders need no times: their data stand under a title, as in volume 2.
+  if (!corrected_channels(text).empty()) return read_corrected(text, options, "CSMIP V1");
   return read_uncorrected(text, options, "CSMIP V1", 2, pairs_of);
 }
 

@@ -84,6 +84,17 @@ TEST(Volumes, ReadTheirHeaders) {
   EXPECT_EQ(read(testing::renadic_file().bytes).front().provenance.start_time, "2010-02-27T06:35:46.000Z");
 }
 
+TEST(Volumes, ReadUncorrectedDataOfDigitalRecorders) {
+  std::string bytes = testing::csmip_v2_file().bytes;
+  for (int channel = 0; channel < 2; ++channel)
+    bytes = replaced(bytes, "Corrected accelerogram  ", "Uncorrected Accelerogram Data ");
+  const auto records = read(bytes);
+  ASSERT_EQ(records.size(), 2u);
+  EXPECT_EQ(records[0].provenance.format, "CSMIP V1");
+  EXPECT_FALSE(records[0].provenance.processed);
+  EXPECT_NEAR(records[1].acceleration[5], 1.0, 1e-8);
+}
+
 TEST(Volumes, TheSignOfAStatedPeakIsNotReliable) {
   EXPECT_THAT(read(testing::usc_v2_file().bytes).front().warnings, ::testing::IsEmpty());
 }
