@@ -40,6 +40,7 @@ int layout_show_command(const LayoutShowOptions& options);
 int records_command();
 
 struct RecordInfoOptions {
+  std::vector<std::string> more;  // further files: other components of the station
   std::string record, component, station, member, response, units, interval, count_scale;
   bool json = false;
 };

@@ -78,6 +78,7 @@ void add_layouts(CLI::App& app, Request& r) {
 
 void add_record_choice(CLI::App& app, RecordInfoOptions& record) {
   app.add_option("file", record.record, "A file or archive, or a name from `dougong records`")->required();
+  app.add_option("more", record.more, "Further files: the other components of the station");
   app.add_option("--component", record.component, "Component to choose, by name or direction: EW, 180, N08W");
   app.add_option("--station", record.station, "Station, of a file that holds several");
   app.add_option("--member", record.member, "File to read in an archive, by its name");

@@ -18,6 +18,9 @@ Override record_override(const std::string& text);
 /// What the flags of a record command choose. Throws as a scenario does.
 RecordChoice record_choice(const RecordInfoOptions& options);
 
+/// The components of the station, of one file or of several. Throws seismic::InputError.
+seismic::RecordSet read_asked_record(const RecordInfoOptions& options);
+
 /// Every channel there is, and which of them would drive the ground; none when the file does not tell.
 struct AskedChannels {
   seismic::Channels channels;

@@ -7,7 +7,6 @@
 #include "app/cli/commands.h"
 #include "app/cli/record_choice.h"
 #include "app/report/safe_file.h"
-#include "app/study/motion_input.h"
 #include "app/study/quantity.h"
 #include "seismic/seismic.h"
 
@@ -79,7 +78,7 @@ void check_free(const fs::path& stem, const std::vector<seismic::WrittenFile>& f
 
 int record_convert_command(const RecordConvertOptions& options) {
   const seismic::WrittenFormat format = format_asked_for(options.format);
-  seismic::RecordSet set = read_scenario_record(record_choice(options.from), records_directory());
+  seismic::RecordSet set = read_asked_record(options.from);
   turn(set, options.azimuth);
   scale(set, options.pga);
   const std::vector<std::string> warnings = set.warnings;

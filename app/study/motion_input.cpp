@@ -7,7 +7,6 @@
 #include "app/study/quantity.h"
 
 namespace dougong::app {
-namespace {
 
 seismic::ReadOptions read_options(const RecordChoice& choice) {
   seismic::ReadOptions options;
@@ -25,6 +24,8 @@ seismic::ReadOptions read_options(const RecordChoice& choice) {
                               choice.count_scale);
   return options;
 }
+
+namespace {
 
 seismic::CatalogueEntry entry_named(const std::string& name, const std::filesystem::path& directory) {
   const auto catalogue = seismic::read_catalogue(directory);

@@ -16,6 +16,8 @@ struct MotionInput {
   std::shared_ptr<const seismic::GroundMotion> ground;
 };
 
+/// What a scenario says of the file to read. Throws seismic::InputError.
+seismic::ReadOptions read_options(const RecordChoice& choice);
 /// Reads the file, or the entry of the catalogue in records_directory. Throws seismic::InputError.
 seismic::RecordSet read_scenario_record(const RecordChoice& choice,
                                         const std::filesystem::path& records_directory);

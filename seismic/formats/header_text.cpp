@@ -84,10 +84,6 @@ std::string_view before(std::string_view text, std::string_view mark) {
   return trimmed(text.substr(0, find_words(text, mark)));
 }
 
-std::optional<double> signed_degrees(std::string_view text) {
-  return take_angle(text);
-}
-
 std::optional<Place> place_in(std::string_view text) {
   const auto latitude = take_angle(text);
   const auto longitude = latitude ? take_angle(text) : std::nullopt;

@@ -31,8 +31,6 @@ std::string_view line_at(const FileText& text, std::size_t index);
 /// The text as far as `mark`.
 std::string_view before(std::string_view text, std::string_view mark);
 
-/// Degrees from "37.973N" or "122.038W", minus for S and W.
-std::optional<double> signed_degrees(std::string_view text);
 /// "37.973N, 122.038W" or "34 17 11N, 118 13 31W": latitude and longitude.
 std::optional<Place> place_in(std::string_view text);
 

@@ -77,6 +77,20 @@ TEST_F(RecordConvert, WritesOnlyTheComponentAskedFor) {
   EXPECT_FALSE(exists("pair-N00E.AT2"));
 }
 
+TEST_F(RecordConvert, TakesSeveralFilesForTheComponentsOfAStation) {
+  write_pair("pair.csv");
+  ASSERT_EQ(run(convert({"--to", "at2"})).exit_code, 0);
+  const Ran ran =
+      run({"record", "convert", "pair-N00E.AT2", "pair-N90E.AT2", "--to", "csv", "--out", "both"});
+  ASSERT_EQ(ran.exit_code, 0) << ran.err;
+  const json both = info({"both.csv"}).at("components");
+  ASSERT_EQ(both.size(), 2u);
+  EXPECT_EQ(both.at(1).at("component"), "N90E");
+  const json files = info({"pair-N00E.AT2", "pair-N90E.AT2", "--component", "90"}).at("components");
+  ASSERT_EQ(files.size(), 2u);
+  EXPECT_TRUE(files.at(1).at("chosen").get<bool>());
+}
+
 TEST_F(RecordConvert, NeverWritesOverAFileUnlessToldTo) {
   write_pair("pair.csv");
   write("pair-N90E.AT2", "mine");
