@@ -31,4 +31,10 @@ class InputError : public std::runtime_error {
   std::vector<InputProblem> problems_;
 };
 
+/// A sound file of another quantity: velocity, displacement, spectra.
+class NotAcceleration : public InputError {
+ public:
+  using InputError::InputError;
+};
+
 }  // namespace dougong::seismic

@@ -15,16 +15,28 @@ namespace dougong::seismic {
 
 enum class Axis { horizontal, vertical };
 
-/// Where a record comes from and how it was written.
+struct Place {
+  double latitude = 0.0, longitude = 0.0;  // degrees, north and east positive
+  std::optional<double> height;            // m above the sea; of a hypocentre negative
+};
+
+/// Where a record comes from and how it was written. Empty where the file does not say.
 struct Provenance {
   std::string event;
   std::string station;
   std::string component;   // as the file says it
+  std::string sensor;      // location code, or the borehole's 1 and the surface's 2 of KiK-net
   std::string units;       // as found in the file, or as the caller declared them
-  std::string format;      // title of the format
-  std::string file;        // path as given
-  std::string sha256;      // of the file's bytes
-  bool synthetic = false;  // the file says it is no recording
+  std::string scale;       // what made m/s2 of the file's numbers
+  std::string treatment;   // by the publisher, in the file's words: filters, baseline
+  std::string start_time;  // of the first sample, ISO 8601, with its zone where the file names one
+  std::optional<Place> station_place, hypocentre;
+  std::string format;                 // title of the format
+  std::string file;                   // path as given
+  std::string member;                 // of the archive that the file is
+  std::optional<double> stated_peak;  // m/s2, greatest |a| as the file itself states it
+  std::string sha256;                 // of the file's bytes
+  bool synthetic = false;             // the file says it is no recording
   bool processed = false;  // the file says, or its format implies, that it was filtered by its publisher
   std::vector<std::pair<std::string, std::string>> header;  // facts as found
 };
@@ -34,6 +46,7 @@ struct Record {
   double interval = 0.0;             // s
   std::string component;             // "EW", "NS", "UD", "180" ...
   Axis axis = Axis::horizontal;
+  std::optional<double> azimuth;  // degrees clockwise from north of the positive direction, where it is known
   bool dimensionless = false;
   Provenance provenance;
   std::vector<std::string> processing;  // what the reader did to the samples, with numbers

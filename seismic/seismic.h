@@ -18,6 +18,7 @@
 #include "seismic/design/scaling.h"                   // factors to a target, suites
 #include "seismic/design/spectrum_table.h"            // targets of the user
 #include "seismic/formats/format.h"                   // the table of formats
+#include "seismic/formats/write_record.h"             // records to files
 #include "seismic/input_error.h"                      // what is wrong with an input
 #include "seismic/measures/bilinear_oscillator.h"     // yielding oscillators, constant ductility
 #include "seismic/measures/fourier_spectrum.h"        // Fourier amplitude, mean period
@@ -32,8 +33,11 @@
 #include "seismic/motions/ground_motion.h"            // a record as prescribed motion
 #include "seismic/motions/harmonic_motion.h"          // sine from rest
 #include "seismic/motions/pulse_motion.h"             // rectangular pulses
+#include "seismic/orientation.h"                      // which way a component points
 #include "seismic/read_record.h"                      // files to records
 #include "seismic/record.h"                           // what a record is
+#include "seismic/rotate.h"                           // horizontal pairs to any direction
+#include "seismic/stations.h"                         // channels by station
 #include "seismic/synthesis/compatible_motion.h"      // motions that follow a target spectrum
 #include "seismic/synthesis/finite_fault.h"           // stochastic motion of a rupture
 #include "seismic/synthesis/point_source.h"           // stochastic motion of one patch

@@ -41,10 +41,21 @@ int layout_show_command(const LayoutShowOptions& options);
 int records_command();
 
 struct RecordInfoOptions {
-  std::string record, component, units, interval, count_scale;
+  std::vector<std::string> more;  // further files: other components of the station
+  std::string record, component, station, member, response, units, interval, count_scale;
   bool json = false;
 };
 int record_info_command(const RecordInfoOptions& options);
+
+struct RecordConvertOptions {
+  RecordInfoOptions from;
+  std::string format;        // at2, knet, csmnc, csv, miniseed
+  std::string out;           // stem of the files' names; empty: that of the record, in the current folder
+  std::string azimuth, pga;  // empty: as recorded
+  bool force = false;
+};
+/// A record in the files of another format.
+int record_convert_command(const RecordConvertOptions& options);
 
 struct ReportOptions {
   std::string directory;

@@ -31,6 +31,7 @@ struct Request {
   RunOptions run;
   LayoutShowOptions layout;
   RecordInfoOptions record;
+  RecordConvertOptions convert;
   ReportOptions report;
   SceneOptions scene;
   TradeoffOptions tradeoff;
@@ -79,6 +80,35 @@ void add_layouts(CLI::App& app, Request& r) {
   show->callback([&r] { r.command = [&r] { return layout_show_command(r.layout); }; });
 }
 
+void add_record_choice(CLI::App& app, RecordInfoOptions& record) {
+  app.add_option("file", record.record, "A file or archive, or a name from `dougong records`")->required();
+  app.add_option("more", record.more, "Further files: the other components of the station");
+  app.add_option("--component", record.component, "Component to choose, by name or direction: EW, 180, N08W");
+  app.add_option("--station", record.station, "Station, of a file that holds several");
+  app.add_option("--member", record.member, "File to read in an archive, by its name");
+  app.add_option("--response", record.response, "StationXML with the sensitivity of miniSEED counts");
+  app.add_option("--units", record.units, "Units of a file that does not say: g, gal, m/s2 ...");
+  app.add_option("--interval", record.interval,
+                 "Time between samples, for a file that does not say: \"0.01 s\"");
+  app.add_option("--count-scale", record.count_scale, "gal per count: 3920/6182761");
+}
+
+void add_convert(CLI::App& record, Request& r) {
+  CLI::App* convert = record.add_subcommand("convert", "Write a record in another format");
+  add_record_choice(*convert, r.convert.from);
+  convert->add_option("--to", r.convert.format, "at2, knet, csmnc, csv or miniseed")->required();
+  convert->add_option("--out", r.convert.out, "Stem of the files to write: out/kobe gives out/kobe-EW.AT2");
+  convert->add_option("--azimuth", r.convert.azimuth,
+                      "Turn the horizontal pair to this direction, from north: \"45 deg\"");
+  convert->add_option("--pga", r.convert.pga, "Scale the chosen component to this peak: \"0.4 g\"");
+  convert->add_flag("--force", r.convert.force, "Write over existing files");
+  convert->add_flag("--json", r.convert.from.json, "As JSON");
+  convert->footer(
+      "All components are written, or only the one that --component names.\n"
+      "Example: dougong record convert station.V2 --to at2 --out out/station");
+  convert->callback([&r] { r.command = [&r] { return record_convert_command(r.convert); }; });
+}
+
 void add_records(CLI::App& app, Request& r) {
   CLI::App* list = app.add_subcommand("records", "List the shipped ground motions");
   list->footer("Example: dougong records");
@@ -87,16 +117,12 @@ void add_records(CLI::App& app, Request& r) {
   record->require_subcommand(1);
   record->footer("Example: dougong record info station.AT2");
   CLI::App* info = record->add_subcommand("info", "What a file holds, and its measures");
-  info->add_option("file", r.record.record, "A file, or a name from `dougong records`")->required();
-  info->add_option("--component", r.record.component, "Component to choose");
-  info->add_option("--units", r.record.units, "Units of a file that does not say: g, gal, m/s2 ...");
-  info->add_option("--interval", r.record.interval,
-                   "Time between samples, for a file that does not say: \"0.01 s\"");
-  info->add_option("--count-scale", r.record.count_scale, "gal per count: 3920/6182761");
+  add_record_choice(*info, r.record);
   info->add_flag("--json", r.record.json, "As JSON");
   info->footer("Example: dougong record info station.csv --units gal --interval \"0.01 s\" --json");
   info->callback([&r] { r.command = [&r] { return record_info_command(r.record); }; });
   add_record_tools(*record, r.command);
+  add_convert(*record, r);
 }
 
 void add_report(CLI::App& app, Request& r) {
@@ -296,6 +322,10 @@ constexpr OptionHint option_hints[] = {
      "dougong run ... --set record.interval=\"0.01 s\", dougong record info ... --interval \"0.01 s\""},
     {"option scale",
      "dougong run ... --set count_scale=3920/6182761, dougong record info ... --count-scale 3920/6182761"},
+    {"option response",
+     "dougong run ... --set record.response=NET.STA.xml, dougong record info ... --response NET.STA.xml"},
+    {"option station", "dougong run ... --set station=AOM001, dougong record info ... --station AOM001"},
+    {"option member", "dougong run ... --set member=NAME, dougong record info ... --member NAME"},
 };
 
 std::string with_hints(std::string text) {

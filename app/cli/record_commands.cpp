@@ -5,6 +5,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/record_choice.h"
+#include "app/cli/record_facts.h"
 #include "app/report/text.h"
 #include "app/study/motion_input.h"
 #include "seismic/seismic.h"
@@ -13,18 +14,6 @@ namespace dougong::app {
 namespace {
 
 using nlohmann::ordered_json;
-
-seismic::RecordSet read_asked_record(const RecordInfoOptions& options) {
-  std::vector<Override> overrides{record_override(options.record)};
-  const auto add = [&](const char* key, const std::string& value, const char* flag) {
-    if (!value.empty()) overrides.push_back({key, value, flag});
-  };
-  add("record.component", options.component, "--component");
-  add("record.units", options.units, "--units");
-  add("record.interval", options.interval, "--interval");
-  add("record.count_scale", options.count_scale, "--count-scale");
-  return read_scenario_record(scenario_from(overrides).record, records_directory());
-}
 
 std::string acceleration_text(const seismic::RecordInfo& info, double value) {
   if (info.dimensionless)
@@ -122,13 +111,16 @@ int records_command() {
 }
 
 int record_info_command(const RecordInfoOptions& options) {
-  const seismic::RecordSet set = read_asked_record(options);
+  const AskedChannels asked = read_asked_channels(options);
+  const seismic::Channels& set = asked.channels;
   ordered_json components = ordered_json::array();
-  for (std::size_t i = 0; i < set.components.size(); ++i) {
-    const seismic::RecordInfo info = seismic::describe(set.components[i]);
+  for (std::size_t i = 0; i < set.records.size(); ++i) {
+    const seismic::RecordInfo info = seismic::describe(set.records[i]);
     if (!options.json) print_info(info);
+    if (!options.json) print_facts(set.records[i]);
     components.push_back(json_of(info));
-    components.back()["chosen"] = i == set.chosen;
+    components.back().update(facts_json(set.records[i]));
+    components.back()["chosen"] = asked.chosen == i;
   }
   if (options.json)
     fmt::print("{}\n", ordered_json{{"components", components}, {"warnings", set.warnings}}.dump(

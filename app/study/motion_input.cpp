@@ -2,14 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "app/study/quantity.h"
 
 namespace dougong::app {
-namespace {
 
 seismic::ReadOptions read_options(const RecordChoice& choice) {
   seismic::ReadOptions options;
   if (!choice.component.empty()) options.component = choice.component;
+  if (!choice.station.empty()) options.station = choice.station;
+  if (!choice.member.empty()) options.member = choice.member;
+  if (!choice.response.empty()) options.response = choice.response;
   if (!choice.units.empty()) options.units = choice.units;
   if (!choice.format.empty()) options.format = choice.format;
   options.interval = choice.interval;
@@ -20,6 +24,8 @@ seismic::ReadOptions read_options(const RecordChoice& choice) {
                               choice.count_scale);
   return options;
 }
+
+namespace {
 
 seismic::CatalogueEntry entry_named(const std::string& name, const std::filesystem::path& directory) {
   const auto catalogue = seismic::read_catalogue(directory);
@@ -97,6 +103,13 @@ seismic::ConditioningOptions conditioning_options(const Scenario& scenario) {
   options.end = c.end == "at-rest" ? seismic::EndRule::at_rest : seismic::EndRule::as_it_is;
   options.vertical = scenario.record.vertical;
   return options;
+}
+
+seismic::Channels read_scenario_channels(const RecordChoice& choice, const std::filesystem::path& directory) {
+  seismic::ReadOptions options = read_options(choice);
+  if (!choice.file.empty()) return seismic::read_channels(choice.file, options);
+  seismic::RecordSet set = seismic::read_records(entry_named(choice.name, directory).paths(), options);
+  return {std::move(set.components), std::move(set.warnings)};
 }
 
 MotionInput make_motion(const Scenario& scenario, const std::filesystem::path& directory) {

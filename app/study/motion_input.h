@@ -16,11 +16,16 @@ struct MotionInput {
   std::shared_ptr<const seismic::GroundMotion> ground;
 };
 
+/// What a scenario says of the file to read. Throws seismic::InputError.
+seismic::ReadOptions read_options(const RecordChoice& choice);
 /// Reads the file, or the entry of the catalogue in records_directory. Throws seismic::InputError.
 seismic::RecordSet read_scenario_record(const RecordChoice& choice,
                                         const std::filesystem::path& records_directory);
 /// Of the sections record and conditioning.
 seismic::ConditioningOptions conditioning_options(const Scenario& scenario);
+/// Every channel of it, each as long as the file has it. Throws seismic::InputError.
+seismic::Channels read_scenario_channels(const RecordChoice& choice,
+                                         const std::filesystem::path& records_directory);
 /// Throws seismic::InputError.
 MotionInput make_motion(const Scenario& scenario, const std::filesystem::path& records_directory);
 /// period: of the building, marked in the spectrum; 0 for none.

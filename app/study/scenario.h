@@ -27,12 +27,15 @@ struct LayoutChoice {
 };
 
 struct RecordChoice {
-  std::string file;                // path, or empty
-  std::string name;                // in the catalogue, or empty
-  std::string component;           // that drives the horizontal axis; empty: the file's own
-  bool vertical = false;           // the vertical component drives the ground too
-  std::string format;              // empty: found from the content
-  std::string units;               // of the values, for files that do not say
+  std::string file;       // path, or empty
+  std::string name;       // in the catalogue, or empty
+  std::string component;  // that drives the horizontal axis; empty: the file's own
+  std::string station;    // of a file with several; empty: there is one
+  std::string member;     // of an archive; empty: all of it
+  std::string response;   // StationXML with the sensitivity of counts; empty: the one beside the file
+  bool vertical = false;  // the vertical component drives the ground too
+  std::string format;     // empty: found from the content
+  std::string units;      // of the values, for files that do not say
   std::optional<double> interval;  // s between samples, for files that do not say
   std::string count_scale;         // gal per count, "3920/6182761", for files in counts that do not say
   std::optional<double> pga;       // m/s2, that the horizontal component is scaled to

@@ -161,6 +161,9 @@ std::vector<Key<MotionChoice>> motion_keys() {
   return {
       text<M>("record", AT(M, source), "an accelerogram: a name of the catalogue, or a file's path"),
       text<M>("component", AT(M, record.component), "that drives the ground to the side; empty: the file's"),
+      text<M>("station", AT(M, record.station), "of a file that holds several"),
+      text<M>("member", AT(M, record.member), "of an archive, by its name; empty: all of it"),
+      text<M>("response", AT(M, record.response), "StationXML with the sensitivity of miniSEED counts"),
       {{.name = "vertical", .meaning = "the vertical component drives the ground too", .choices = {}},
        AT(M, record.vertical)},
       number<M>("pga", AT(M, record.pga), acceleration, above_zero, 1e3,

@@ -53,10 +53,12 @@ TerrainMotion steady(engine::Vec2 velocity) {
 /// Terrains with the same record share its motion.
 bool same_motion(const MotionChoice& a, const MotionChoice& b) {
   return !a.source.empty() && a.source == b.source && a.record.component == b.record.component &&
-         a.record.vertical == b.record.vertical && a.record.pga == b.record.pga &&
-         a.record.scale == b.record.scale && a.record.format == b.record.format &&
-         a.record.units == b.record.units && a.record.interval == b.record.interval &&
-         a.record.count_scale == b.record.count_scale && a.conditioning.filter == b.conditioning.filter &&
+         a.record.station == b.record.station && a.record.member == b.record.member &&
+         a.record.response == b.record.response && a.record.vertical == b.record.vertical &&
+         a.record.pga == b.record.pga && a.record.scale == b.record.scale &&
+         a.record.format == b.record.format && a.record.units == b.record.units &&
+         a.record.interval == b.record.interval && a.record.count_scale == b.record.count_scale &&
+         a.conditioning.filter == b.conditioning.filter &&
          a.conditioning.high_pass == b.conditioning.high_pass &&
          a.conditioning.low_pass == b.conditioning.low_pass;
 }

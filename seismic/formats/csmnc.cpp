@@ -2,20 +2,22 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <regex>
 #include <utility>
 
+#include "seismic/formats/header_text.h"
 #include "seismic/formats/samples.h"
 #include "seismic/measures/peaks.h"
 #include "seismic/numerics/parse_number.h"
-#include "seismic/units.h"
 
 namespace dougong::seismic {
 namespace {
 
 constexpr std::size_t longest_header = 30;  // lines; 16 in the known form
+constexpr double gal = 0.01;                // m/s2
 
 struct Header {
   std::size_t points = 0;
@@ -43,40 +45,38 @@ std::optional<Header> find_header(const FileText& text) {
   return header;
 }
 
-// The text behind a label, on the line that starts with it.
 std::string labelled(const FileText& text, std::string_view label) {
-  for (std::size_t i = 0; i < std::min(text.lines.size(), longest_header); ++i) {
-    const auto at = text.lines[i].find(label);
-    if (at != std::string_view::npos) return printable(trimmed(text.lines[i].substr(at + label.size())));
-  }
-  return {};
+  return value_behind(text, label, 0, longest_header);
 }
 
 std::string first_word(const std::string& text) {
   return text.substr(0, text.find(' '));
 }
 
-void describe_source(const FileText& text, const Header& header, Record& record) {
-  Provenance& from = record.provenance;
-  for (std::size_t i = 0; i < header.first; ++i) {
-    const std::string line = printable(trimmed(text.lines[i]));
-    if (!line.empty()) from.header.emplace_back(fmt::format("header line {}", i + 1), line);
-  }
-  from.event = text.lines.size() > 2 ? printable(trimmed(text.lines[2])) : "";
-  from.station = first_word(labelled(text, "STATION:"));
-  from.component = labelled(text, "COMP.");
-  from.units = labelled(text, "UNIT:");
-  record.component = from.component;
-  record.axis = axis_of(record.component);
+// Degrees, "30.300N 103.000E DEPTH 13 KM".
+std::optional<Place> hypocentre_in(const std::string& text) {
+  auto place = place_in(text);
+  const auto depth = number_behind(text, "DEPTH");
+  if (place && depth) place->height = -1000.0 * *depth;
+  return place;
 }
 
-void check_peak(const FileText& text, Record& record) {
-  const auto stated = parse_number(first_word(labelled(text, "PEAK VALUE:")));
-  if (!stated) return;
-  const double found = peak(record.acceleration, record.interval).value, asked = std::abs(*stated) * 0.01;
-  if (std::abs(found - asked) <= 1e-4 * asked + 1e-5) return;
-  record.warnings.push_back(
-      fmt::format("the header's peak is {:.6g} m/s2, the samples peak at {:.6g} m/s2", asked, found));
+void describe_source(const FileText& text, const Header& header, Record& record) {
+  Provenance& from = record.provenance;
+  keep_header(text, 0, header.first, from);
+  const std::string station = labelled(text, "STATION:");
+  from.event = printable(trimmed(line_at(text, 2)));
+  from.station = first_word(station);
+  from.station_place = place_in(behind(station, from.station));
+  from.hypocentre = hypocentre_in(labelled(text, "EPICENTER"));
+  from.processed = !find_line(text, "UNCORRECTED", 0, header.first);
+  from.treatment = from.processed ? "corrected" : "none: uncorrected";
+  name_component(record, labelled(text, "COMP."));
+}
+
+void check_peak(const FileText& text, double factor, Record& record) {
+  const auto stated = leading_number(labelled(text, "PEAK VALUE:"));
+  if (stated) check_stated_peak(record, *stated * factor, 1e-3 * factor);
 }
 
 }  // namespace
@@ -92,20 +92,45 @@ Record read_csmnc(const FileText& text, const ReadOptions& options) {
   std::vector<InputProblem> problems;
   std::vector<std::string> warnings;
   const std::string units = labelled(text, "UNIT:");
-  const auto factor = acceleration_unit(units, options.gravity);
-  if (!factor)
-    problems.push_back({text.name, 0, "a unit of acceleration behind \"UNIT:\"", in_quotes(units)});
-  check_stated_units(text, units, options, problems);
+  const double factor = stated_factor(text, units, 0, options, problems);
   auto values = collect_numbers(text, found->first, text.lines.size(), problems);
   check_count(text, found->points, found->line + 1, values, problems, warnings);
   check_series(text, found->points, found->interval, found->line + 1, options, problems);
   throw_if_any(std::move(problems));
-  Record record = make_record(text, "CSMNC uncorrected", std::move(values), *factor, found->interval);
+  Record record = make_record(text, "CSMNC uncorrected", std::move(values), factor, found->interval, units);
   record.warnings = std::move(warnings);
   describe_source(text, *found, record);
-  check_peak(text, record);
+  check_peak(text, factor, record);
   remove_recorded_offset(record, false, options);
   return record;
+}
+
+std::string write_csmnc(const Record& record) {
+  const Provenance& from = record.provenance;
+  const auto degrees = [](const std::optional<Place>& place) {
+    if (!place) return std::string{};
+    return fmt::format("{:7.3f}{} {:7.3f}{}", std::abs(place->latitude), place->latitude < 0.0 ? 'S' : 'N',
+                       std::abs(place->longitude), place->longitude < 0.0 ? 'W' : 'E');
+  };
+  const Peak top = peak(record.acceleration, record.interval);
+  std::string out =
+      fmt::format("{}\n{}\n{}\n", printable(from.station), from.start_time, printable(from.event));
+  out += fmt::format("EPICENTER {}\nMAGNITUDE\nSTATION: {} {}\n", degrees(from.hypocentre),
+                     printable(from.station), degrees(from.station_place));
+  out += "SITE CONDITION:\nINSTRUMENT TYPE:\nOBSERVING POINT:\n";
+  out += fmt::format("COMP. {}\n", printable(record.component));
+  out += fmt::format("{} ACCELERATION          UNIT: CM/SEC/SEC\n",
+                     from.processed ? "CORRECTED" : "UNCORRECTED");
+  out += fmt::format("NO. OF POINTS:  {}  EQUALLY SPACED INTERVALS OF:  {}  SEC\n",
+                     record.acceleration.size(), record.interval);
+  out += fmt::format("PEAK VALUE: {:12.3f}   AT  {:g} SEC    DURATION:  {:g} SEC\n",
+                     record.acceleration[top.index] / gal, top.time, record.duration());
+  out += fmt::format("PRE-EVENT TIME:  0  SEC\nCSMNC{}\n\n", from.synthetic ? "  SYNTHETIC" : "");
+  for (std::size_t i = 0; i < record.acceleration.size(); ++i) {
+    const bool last = i % 8 == 7 || i + 1 == record.acceleration.size();
+    out += fmt::format("{:14.6E}{}", record.acceleration[i] / gal, last ? "\n" : " ");
+  }
+  return out;
 }
 
 }  // namespace dougong::seismic

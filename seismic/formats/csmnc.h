@@ -5,6 +5,8 @@
 //   PEAK VALUE:    -1005.350   AT   26.35 SEC    DURATION:  60 SEC
 #pragma once
 
+#include <string>
+
 #include "seismic/formats/file_text.h"
 #include "seismic/read_record.h"
 #include "seismic/record.h"
@@ -13,5 +15,8 @@ namespace dougong::seismic {
 
 bool is_csmnc(const FileText& text);
 Record read_csmnc(const FileText& text, const ReadOptions& options);
+
+/// The bytes of such a file, seven digits a value.
+std::string write_csmnc(const Record& record);
 
 }  // namespace dougong::seismic

@@ -6,7 +6,6 @@
 #include <array>
 #include <cctype>
 #include <fstream>
-#include <iterator>
 #include <system_error>
 #include <utility>
 
@@ -15,12 +14,19 @@
 namespace dougong::seismic {
 namespace {
 
-std::vector<std::string_view> split_lines(std::string_view bytes) {
+constexpr std::size_t chunk = std::size_t{1} << 20;  // bytes asked for at a time
+
+// Half a gigabyte of them; a file of nothing but line ends would have more.
+constexpr std::size_t most_lines = std::size_t{1} << 25;
+
+std::vector<std::string_view> split_lines(std::string_view bytes, const std::string& name) {
   std::vector<std::string_view> lines;
   while (!bytes.empty()) {
     const auto end = bytes.find('\n');
     std::string_view line = bytes.substr(0, end);
     while (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    if (lines.size() == most_lines)
+      throw InputError(name, 0, fmt::format("a recording of at most {} lines", most_lines), "more");
     lines.push_back(line);
     bytes = end == std::string_view::npos ? std::string_view{} : bytes.substr(end + 1);
   }
@@ -36,14 +42,27 @@ void require_file(const std::filesystem::path& path) {
 
 }  // namespace
 
-void load_file(const std::filesystem::path& path, FileText& text) {
+std::string read_bytes(const std::filesystem::path& path) {
   require_file(path);
   std::ifstream in(path, std::ios::binary);
   if (!in) throw InputError(path.string(), 0, "a readable file", "one that cannot be opened");
-  std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  std::string bytes;
+  while (in && bytes.size() <= largest_file) {
+    const std::size_t before = bytes.size();
+    bytes.resize(before + chunk);
+    in.read(bytes.data() + before, static_cast<std::streamsize>(chunk));
+    bytes.resize(before + static_cast<std::size_t>(in.gcount()));
+  }
   if (in.bad()) throw InputError(path.string(), 0, "a readable file", "an error while reading it");
   if (bytes.empty()) throw InputError(path.string(), 0, "a recording", "an empty file (zero length)");
-  set_bytes(path.string(), std::move(bytes), text);
+  if (bytes.size() > largest_file)
+    throw InputError(path.string(), 0, fmt::format("a recording of at most {} MiB", largest_file >> 20),
+                     "a larger file");
+  return bytes;
+}
+
+void load_file(const std::filesystem::path& path, FileText& text) {
+  set_bytes(path.string(), read_bytes(path), text);
 }
 
 void set_bytes(std::string name, std::string bytes, FileText& text) {
@@ -52,7 +71,7 @@ void set_bytes(std::string name, std::string bytes, FileText& text) {
   text.sha256 = sha256_hex(text.bytes);
   std::string_view content = text.bytes;
   if (content.starts_with("\xEF\xBB\xBF")) content.remove_prefix(3);  // UTF-8 byte order mark
-  text.lines = split_lines(content);
+  text.lines = split_lines(content, text.name);
 }
 
 std::string sha256_hex(std::string_view bytes) {

@@ -1,9 +1,11 @@
 // A file as a reader sees it: bytes, their checksum, and lines.
 //
 // Lines end with LF; carriage returns before it are dropped (CR LF and CR CR LF occur), the last line
-// needs no end. Bytes above 127 are kept as they are: headers in GBK and Latin-5 occur.
+// needs no end. Bytes above 127 are kept as they are: headers in GBK and Latin-5 occur. A file is read into
+// memory at once and not mapped: a mapped file that another program shortens would end this one.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -20,6 +22,12 @@ struct FileText {
   FileText() = default;
   FileText(FileText&&) = delete;  // lines point into bytes
 };
+
+/// No recording is larger: a day of a station's three channels at 200 Hz has 150 MiB.
+inline constexpr std::size_t largest_file = std::size_t{256} << 20;
+
+/// Throws InputError when the path is no readable, non-empty file of at most largest_file bytes.
+std::string read_bytes(const std::filesystem::path& path);
 
 /// Fills `text`. Throws InputError when the path is no readable, non-empty file.
 void load_file(const std::filesystem::path& path, FileText& text);

@@ -19,11 +19,13 @@ struct Format {
   std::string_view id;     // "peer-at2"
   std::string_view title;  // "PEER AT2"
   bool (*recognises)(const FileText& text);
-  Record (*read)(const FileText& text, const ReadOptions& options);
-  std::vector<std::filesystem::path> (*siblings)(const std::filesystem::path& path);  // may be null
+  /// Every channel of the file. Throws InputError; NotAcceleration for a file to be passed over in an
+  /// archive.
+  std::vector<Record> (*read)(const FileText& text, const ReadOptions& options);
+  std::vector<std::filesystem::path> (*siblings)(const std::filesystem::path& path) = nullptr;
 };
 
-/// Every known format, in the order in which they are tried: the vaguest last.
+/// Every known format, in the order in which they are tried: the vaguest, plain columns, last.
 std::span<const Format> formats();
 
 }  // namespace dougong::seismic

@@ -2,14 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
 
+#include "seismic/formats/header_text.h"
 #include "seismic/formats/samples.h"
-#include "seismic/measures/peaks.h"
 #include "seismic/numerics/parse_number.h"
+#include "seismic/time_text.h"
 #include "seismic/units.h"
 
 namespace dougong::seismic {
@@ -55,10 +57,6 @@ Header split_header(const FileText& text) {
   return header;
 }
 
-std::optional<double> leading_number(const std::string& value) {
-  return parse_number(value.substr(0, value.find_first_not_of("0123456789.+-")));
-}
-
 // A positive number at the start of a header value ("100Hz"), or a problem and 0.
 double required_number(const FileText& text, const Header& header, std::string_view label,
                        std::vector<InputProblem>& problems) {
@@ -79,8 +77,46 @@ double required_scale(const FileText& text, const Header& header, std::vector<In
   return 0.0;
 }
 
-// "E-W" -> "EW"; KiK-net digits 1..6 = NS1 EW1 UD1 NS2 EW2 UD2.
-std::string component_name(const std::string& direction) {
+std::optional<Place> place_of(const Header& header, std::string_view latitude, std::string_view longitude) {
+  const auto north = leading_number(header.value(latitude)), east = leading_number(header.value(longitude));
+  return north && east ? std::optional(Place{*north, *east, std::nullopt}) : std::nullopt;
+}
+
+// The recorder notes the time at which the trigger's delay ends, 15 s after the first sample.
+std::string start_of(const Header& header) {
+  constexpr double trigger_delay = 15.0;  // s
+  return iso_time_in(header.value("Record Time"), DateOrder::year_month_day, "+09:00", -trigger_delay);
+}
+
+void describe_source(const Header& header, Record& record) {
+  Provenance& from = record.provenance;
+  for (const Field& field : header.fields) from.header.emplace_back(field.label, field.value);
+  from.station = header.value("Station Code");
+  from.scale = "1 count = " + header.value("Scale Factor") + " gal";
+  from.synthetic = contains(header.value("Memo"), "SYNTHETIC");
+  const std::string when = from.synthetic ? "synthetic motion" : header.value("Origin Time");
+  from.event = fmt::format("{}, M {}", when, header.value("Mag"));
+  from.treatment = "none: counts";
+  from.start_time = start_of(header);
+  from.station_place = place_of(header, "Station Lat", "Station Lon");
+  if (from.station_place) from.station_place->height = leading_number(header.value("Station Height"));
+  from.hypocentre = place_of(header, "Lat", "Lon");
+  if (const auto depth = leading_number(header.value("Depth")); depth && from.hypocentre)
+    from.hypocentre->height = -1000.0 * *depth;
+  name_component(record, knet_component(header.value("Dir")));
+  from.component = header.value("Dir");
+  from.sensor = knet_sensor(record.component);
+}
+
+// The file's own check of its numbers: printed to 0.001 gal, of the samples without their mean.
+void check_peak(const Header& header, Record& record) {
+  const auto stated = leading_number(header.value("Max"));
+  if (stated) check_stated_peak(record, *stated * gal, 0.002 * gal, true);
+}
+
+}  // namespace
+
+std::string knet_component(const std::string& direction) {
   constexpr std::array<const char*, 6> sensors = {"NS1", "EW1", "UD1", "NS2", "EW2", "UD2"};
   if (direction.size() == 1 && direction[0] >= '1' && direction[0] <= '6') {
     return sensors[static_cast<std::size_t>(direction[0] - '1')];
@@ -92,32 +128,10 @@ std::string component_name(const std::string& direction) {
   return name;
 }
 
-void describe_source(const Header& header, Record& record) {
-  Provenance& from = record.provenance;
-  for (const Field& field : header.fields) from.header.emplace_back(field.label, field.value);
-  from.station = header.value("Station Code");
-  from.component = header.value("Dir");
-  from.units = "counts x " + header.value("Scale Factor");
-  from.synthetic = upper_case(header.value("Memo")).find("SYNTHETIC") != std::string::npos;
-  const std::string when = from.synthetic ? "synthetic motion" : header.value("Origin Time");
-  from.event = fmt::format("{}, M {}", when, header.value("Mag"));
-  record.component = component_name(from.component);
-  record.axis = axis_of(record.component);
+std::string knet_sensor(const std::string& component) {
+  const bool numbered = component.size() == 3 && (component[2] == '1' || component[2] == '2');
+  return numbered ? component.substr(2) : std::string{};
 }
-
-// The file's own check of its numbers: printed to 0.001 gal, of the samples without their mean.
-void check_peak(const Header& header, Record& record) {
-  const auto stated = leading_number(header.value("Max. Acc"));
-  if (!stated) return;
-  const double offset = mean(record.acceleration);
-  double found = 0.0;
-  for (const double a : record.acceleration) found = std::max(found, std::abs(a - offset) / gal);
-  if (std::abs(found - *stated) <= 0.002 + 1e-5 * *stated) return;
-  record.warnings.push_back(fmt::format(
-      "the header's Max. Acc. is {} gal, the samples without their mean peak at {:.3f} gal", *stated, found));
-}
-
-}  // namespace
 
 bool is_knet(const FileText& text) {
   return !text.lines.empty() && text.lines[0].starts_with("Origin Time") &&
@@ -139,7 +153,8 @@ Record read_knet(const FileText& text, const ReadOptions& options) {
   check_count(text, sample_count(std::round(rate * duration)), stated->line, counts, problems, warnings);
   check_series(text, counts.size(), 1.0 / rate, stated->line, options, problems);
   throw_if_any(std::move(problems));
-  Record record = make_record(text, "K-NET/KiK-net ASCII", std::move(counts), scale, 1.0 / rate);
+  Record record = make_record(text, "K-NET/KiK-net ASCII", std::move(counts), scale, 1.0 / rate,
+                              "counts x " + header.value("Scale Factor"));
   record.warnings = std::move(warnings);
   describe_source(header, record);
   check_peak(header, record);

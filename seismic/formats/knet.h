@@ -3,7 +3,8 @@
 //   a [gal] = count * A / B,   "Scale Factor      A(gal)/B"
 //
 // The counts carry the instrument's offset, often far larger than the motion: the whole-record mean is
-// taken off on reading (then the peak equals the header's "Max. Acc."), and the record says so.
+// taken off on reading (then the peak equals the header's "Max. Acc."), and the record says so. Times are of
+// Japan; the record time is 15 s after the first sample (NIED, "About K-NET ASCII format").
 // Components of a station lie side by side: .EW .NS .UD, borehole .EW1 ..., surface .EW2 ...
 #pragma once
 
@@ -21,6 +22,11 @@ bool is_knet(const FileText& text);
 Record read_knet(const FileText& text, const ReadOptions& options);
 /// The given path and the paths of the other components of the same sensor, whether they exist or not.
 std::vector<std::filesystem::path> knet_siblings(const std::filesystem::path& path);
+
+/// The component of a "Dir." entry: "E-W" is EW, the digits of KiK-net are NS1 EW1 UD1 NS2 EW2 UD2.
+std::string knet_component(const std::string& direction);
+/// "1" (borehole) or "2" (surface) of KiK-net, empty for K-NET.
+std::string knet_sensor(const std::string& component);
 
 struct KnetSheet {
   std::string origin_time, latitude, longitude, depth, magnitude;

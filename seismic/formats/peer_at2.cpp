@@ -8,6 +8,7 @@
 #include <regex>
 #include <utility>
 
+#include "seismic/formats/header_text.h"
 #include "seismic/formats/samples.h"
 #include "seismic/numerics/parse_number.h"
 
@@ -91,25 +92,21 @@ std::size_t end_of_data(const FileText& text, std::size_t from) {
 }
 
 // Line 3 (or any above the data) says what the numbers are: an acceleration in g, or something to refuse.
-void check_quantity(const FileText& text, const Header& header, std::vector<InputProblem>& problems) {
+void check_quantity(const FileText& text, const Header& header) {
   static const std::regex in_g(R"(UNITS?\s+(OF|ARE|:)?\s*\(?G\b)");
   static const std::regex in_cm(R"(UNITS?\s+(OF|ARE|:)?\s*\(?CM)");
   bool acceleration = false;
   for (std::size_t i = 0; i < header.first && i < text.lines.size(); ++i) {
     const std::string line = upper_case(text.lines[i].substr(0, longest_match));
-    const bool other = line.find("VELOCITY TIME") != std::string::npos ||
-                       line.find("DISPLACEMENT TIME") != std::string::npos || std::regex_search(line, in_cm);
-    if (other) {
-      const std::string found = "\"" + printable(trimmed(text.lines[i])) + "\" (a .VT2 or .DT2 file)";
-      problems.push_back(
-          {text.name, i + 1, "an acceleration in g, of which the motion is integrated", found});
-      return;
-    }
+    if (contains(line, "VELOCITY TIME") || contains(line, "DISPLACEMENT TIME") ||
+        std::regex_search(line, in_cm))
+      throw NotAcceleration(
+          text.name, i + 1, "an acceleration in g, of which the motion is integrated",
+          in_quotes(trimmed(text.lines[i].substr(0, longest_match))) + " (a .VT2 or .DT2 file)");
     acceleration = acceleration || std::regex_search(line, in_g);
   }
-  if (!acceleration) {
-    problems.push_back({text.name, 0, "a header line \"ACCELERATION TIME SERIES IN UNITS OF G\"", "none"});
-  }
+  if (!acceleration)
+    throw InputError(text.name, 0, "a header line \"ACCELERATION TIME SERIES IN UNITS OF G\"", "none");
 }
 
 std::vector<std::string> comma_fields(std::string_view line) {
@@ -128,15 +125,19 @@ std::string component_name(std::string field) {
   return std::string(trimmed(field));
 }
 
+// "FILTER POINTS: HP=0.2 Hz LP=12.5 Hz" on line 3, or poles behind DT.
+std::string filters_in(const FileText& text, const Header& header) {
+  const std::string points = value_behind(text, "FILTER POINTS", 0, header.first);
+  if (!points.empty()) return "filter points" + points;
+  const auto poles = line_at(text, header.line);
+  return contains(poles, "POLE") ? printable(trimmed(behind(poles, "SEC,"))) : std::string{};
+}
+
 void describe_source(const FileText& text, const Header& header, Record& record) {
   Provenance& from = record.provenance;
-  from.units = "g";
   from.processed = true;  // PEER publishes filtered records only
-  for (std::size_t i = 0; i < std::min(header.first, text.lines.size()); ++i) {
-    const std::string line = printable(trimmed(text.lines[i]));
-    if (!line.empty()) from.header.emplace_back(fmt::format("header line {}", i + 1), line);
-    from.synthetic = from.synthetic || upper_case(line).find("SYNTHETIC") != std::string::npos;
-  }
+  keep_header(text, 0, header.first, from);
+  from.treatment = filters_in(text, header);
   const bool regular = header.line >= 2 && !stated_in_prose(text.lines[1]);
   const auto fields = regular ? comma_fields(text.lines[1]) : std::vector<std::string>{};
   if (fields.size() >= 2) {
@@ -147,8 +148,7 @@ void describe_source(const FileText& text, const Header& header, Record& record)
     from.event = printable(trimmed(text.lines[0]));
   }
   if (from.component.empty()) from.component = std::filesystem::path(text.name).stem().string();
-  record.component = from.component;
-  record.axis = axis_of(record.component);
+  name_component(record, from.component);
 }
 
 }  // namespace
@@ -166,15 +166,18 @@ Record read_peer_at2(const FileText& text, const ReadOptions& options) {
   const Header& header = *found;
   std::vector<InputProblem> problems;
   std::vector<std::string> warnings;
-  check_quantity(text, header, problems);
+  check_quantity(text, header);
   check_stated_units(text, "g", options, problems);
   auto values = collect_numbers(text, header.first, end_of_data(text, header.first), problems);
   check_count(text, header.points, header.line + 1, values, problems, warnings);
   check_series(text, header.points, header.interval, header.line + 1, options, problems);
   throw_if_any(std::move(problems));
-  Record record = make_record(text, "PEER AT2", std::move(values), options.gravity, header.interval);
+  Record record = make_record(text, "PEER AT2", std::move(values), options.gravity, header.interval, "g");
   record.warnings = std::move(warnings);
   describe_source(text, header, record);
+  // "PGA= .48431 G" on line 3 of some older files.
+  if (const auto stated = number_behind(line_at(text, header.line > 0 ? header.line - 1 : 0), "PGA="))
+    check_stated_peak(record, *stated * options.gravity, 1e-5 * options.gravity);
   remove_recorded_offset(record, false, options);
   return record;
 }
@@ -183,7 +186,10 @@ std::string write_peer_at2(const PeerAt2Sheet& sheet) {
   std::string out = sheet.title + "\n";
   out += fmt::format("{}, {}, {}, {}\n", sheet.event, sheet.date, sheet.station, sheet.component);
   out += "ACCELERATION TIME SERIES IN UNITS OF G\n";
-  out += fmt::format("NPTS= {:6}, DT= {:7.4f} SEC\n", sheet.acceleration.size(), sheet.interval);
+  const std::string four_decimals = fmt::format("{:7.4f}", sheet.interval);
+  const bool exact = parse_number(four_decimals) == sheet.interval;
+  out += fmt::format("NPTS= {:6}, DT= {} SEC\n", sheet.acceleration.size(),
+                     exact ? four_decimals : fmt::format("{}", sheet.interval));
   for (std::size_t i = 0; i < sheet.acceleration.size(); ++i) {
     const bool last = i % 5 == 4 || i + 1 == sheet.acceleration.size();
     out += fmt::format("{:15.7E}{}", sheet.acceleration[i] / standard_gravity, last ? "\n" : "");

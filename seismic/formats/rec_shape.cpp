@@ -34,17 +34,20 @@ struct Columns {
 };
 
 Columns read_columns_of(const FileText& text, std::vector<InputProblem>& problems) {
+  constexpr std::size_t most_problems = 100;
   Columns out;
-  for (std::size_t i = header_lines; i < text.lines.size(); ++i) {
-    if (trimmed(text.lines[i]).empty()) continue;
-    const NumberLine numbers = parse_numbers(text.lines[i]);
-    if (!numbers.culprit.empty() || numbers.values.size() != 2) {
-      problems.push_back(
-          {text.name, i + 1, "a time and a value, both finite numbers", in_quotes(text.lines[i])});
+  std::vector<double> row;
+  for (std::size_t i = header_lines; i < text.lines.size() && problems.size() < most_problems; ++i) {
+    row.clear();
+    const bool finite = append_numbers(text.lines[i], row).empty();
+    if (finite && row.empty()) continue;
+    if (!finite || row.size() != 2) {
+      problems.push_back({text.name, i + 1, "a time and a value, both finite numbers",
+                          in_quotes(text.lines[i].substr(0, 60))});
       continue;
     }
-    out.times.push_back(numbers.values[0]);
-    out.values.push_back(numbers.values[1]);
+    out.times.push_back(row[0]);
+    out.values.push_back(row[1]);
     out.lines.push_back(i + 1);
   }
   return out;
@@ -73,10 +76,9 @@ void describe_source(const FileText& text, Record& record) {
   const auto field = [&fields](std::size_t i) { return i < fields.size() ? fields[i] : std::string{}; };
   from.event = fmt::format("{} {} M {}", field(2), field(1), field(0));
   from.station = field(3);
-  from.component = field(4);
-  from.units = "none (normalised to a peak of 1)";
-  record.component = from.component.empty() ? "H" : from.component;
-  record.axis = axis_of(record.component);
+  from.scale = "none: a target PGA must be chosen";
+  from.treatment = "divided by its peak";
+  name_component(record, field(4).empty() ? "H" : field(4));
   record.dimensionless = true;
 }
 
@@ -122,7 +124,8 @@ Record read_rec_shape(const FileText& text, const ReadOptions& options) {
   check_series(text, columns.values.size(), columns.values.size() < 2 ? 1.0 : interval, header_lines + 1,
                options, problems);
   throw_if_any(std::move(problems));
-  Record record = make_record(text, "normalised .rec shape", std::move(columns.values), 1.0, interval);
+  Record record = make_record(text, "normalised .rec shape", std::move(columns.values), 1.0, interval,
+                              "none (normalised to a peak of 1)");
   if (options.interval && std::abs(step - interval) > 1e-6 * interval) {
     record.warnings.push_back(
         fmt::format("the file's column says {:g} s a step; {:g} s was asked for", step, interval));

@@ -22,7 +22,7 @@ TEST(ReadRecord, TellsAMissingFileADirectoryAndAnEmptyFileApart) {
 
 TEST(ReadRecord, ListsWhatWasTriedForAnUnknownFormat) {
   const std::string text = input_error([] { read_record(write_file("a.at2", "GIF89a\n\xff\xfe\n")); });
-  EXPECT_THAT(text, HasSubstr("expected a known format (tried: PEER AT2, K-NET/KiK-net ASCII"));
+  EXPECT_THAT(text, HasSubstr("expected a known format (tried: miniSEED, SAC, K-NET/KiK-net ASCII"));
   EXPECT_THAT(text, HasSubstr("plain columns)"));
   EXPECT_THAT(text, HasSubstr("found \"GIF89a\""));
 }
@@ -34,7 +34,7 @@ TEST(ReadRecord, TakesTheFormatAskedFor) {
               HasSubstr("Memo."));
   options.format = "excel";
   EXPECT_THAT(input_error([&] { read_record(write_file("a.txt", "1 2\n3 4\n"), options); }),
-              HasSubstr("expected one of peer-at2, knet, csmnc, rec, columns, found \"excel\""));
+              HasSubstr("expected one of miniseed, sac, knet, knet-csv, record-csv, csmnc, rec, dyna"));
 }
 
 TEST(ReadRecord, ErrorsCarryFileLineExpectedAndFound) {

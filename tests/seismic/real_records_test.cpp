@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 
 #include <numeric>
+#include <optional>
+#include <vector>
 
 #include "seismic/conditioning/condition.h"
 #include "seismic/constants.h"
@@ -26,9 +28,11 @@ double signed_peak(const Record& record) {
 
 struct Known {
   const char* file;
-  std::size_t samples;
+  std::vector<std::size_t> samples;  // of each channel in the file's order; one number stands for all
   double interval;
-  double pga;  // g; of peak 1 for shapes
+  std::vector<double> pga;              // signed; g, counts, or of peak 1 for shapes
+  const char* units = nullptr;          // for files that do not say
+  std::optional<double> count_scale{};  // m/s2; 1 to compare counts
 };
 
 // How ctest names the parameter.
@@ -44,39 +48,67 @@ TEST_P(RealRecord, HasItsSamplesStepAndPeak) {
   SKIP_WITHOUT(path);
   ReadOptions options;
   options.siblings = false;
-  const Record record = read_record(path, options).components.at(0);
-  EXPECT_EQ(record.acceleration.size(), known.samples);
-  EXPECT_DOUBLE_EQ(record.interval, known.interval);
-  const double unit = record.dimensionless ? 1.0 : standard_gravity;
-  EXPECT_NEAR(signed_peak(record) / unit, known.pga, 6e-7);
+  if (known.units) options.units = known.units;
+  options.count_scale = known.count_scale;
+  const Channels channels = read_channels(path, options);
+  ASSERT_EQ(channels.records.size(), known.pga.size());
+  for (std::size_t i = 0; i < channels.records.size(); ++i) {
+    const Record& record = channels.records[i];
+    EXPECT_EQ(record.acceleration.size(), known.samples[std::min(i, known.samples.size() - 1)]);
+    EXPECT_NEAR(record.interval, known.interval, 1e-12 * known.interval);
+    const bool as_found = record.dimensionless || known.count_scale == 1.0;
+    const double unit = as_found ? 1.0 : standard_gravity;
+    const double printed = known.count_scale == 1.0 ? 0.006 : 6e-7;
+    EXPECT_NEAR(signed_peak(record) / unit, known.pga[i], printed) << record.component;
+    EXPECT_FALSE(record.provenance.format.empty());
+    EXPECT_THAT(record.provenance.sha256, ::testing::SizeIs(64));
+  }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, RealRecord,
-                         ::testing::Values(Known{"peer-at2/elCentro.AT2", 1559, 0.02, -0.318820},
-                                           Known{"peer-at2/A-ELC180.AT2", 4000, 0.01, 0.130069},
-                                           Known{"peer-at2/ARL360.at2", 2000, 0.02, 0.308057},
-                                           Known{"peer-at2/EIL-EW.AT2", 12000, 0.005, 0.096668},
-                                           Known{"peer-at2/RSN1616_DUZCE_362-N.AT2", 4316, 0.01, 0.044148},
-                                           Known{"peer-at2/RSN763_LOMAP_GIL067.AT2", 7999, 0.005, -0.358533},
-                                           Known{"kiknet/TKYH121103111446.EW2", 30000, 0.01, 0.108002},
-                                           Known{"kiknet/TKYH121103111446.NS2", 30000, 0.01, -0.160279},
-                                           Known{"kiknet/TKYH121103111446.UD2", 30000, 0.01, 0.066749},
-                                           Known{"kiknet/NGNH311106302345.EW1", 12000, 0.01, -0.000196},
-                                           Known{"knet/AOM0011801241951.EW", 10200, 0.01, 0.004158},
-                                           Known{"knet/AOM0011801241951.NS", 10200, 0.01, -0.005052},
-                                           Known{"knet/AOM0011801241951.UD", 10200, 0.01, -0.002284},
-                                           Known{"csmnc/51BXD_lushan_ua0001.dat", 12000, 0.005, -1.025172},
-                                           Known{"rec/EQKobe.rec", 4000, 0.01, -1.0},
-                                           Known{"rec/EQNorth.rec", 4000, 0.01, 1.0},
-                                           Known{"rec/EQTohoku.rec", 4001, 0.01, -1.0},
-                                           Known{"rec/EQWenchuan.rec", 19500, 0.01, 1.0}),
-                         [](const auto& info) {
-                           std::string name = info.param.file;
-                           for (char& c : name) {
-                             if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
-                           }
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    All, RealRecord,
+    ::testing::Values(
+        Known{"peer-at2/elCentro.AT2", {1559}, 0.02, {-0.318820}},
+        Known{"peer-at2/A-ELC180.AT2", {4000}, 0.01, {0.130069}},
+        Known{"peer-at2/ARL360.at2", {2000}, 0.02, {0.308057}},
+        Known{"peer-at2/EIL-EW.AT2", {12000}, 0.005, {0.096668}},
+        Known{"peer-at2/RSN1616_DUZCE_362-N.AT2", {4316}, 0.01, {0.044148}},
+        Known{"peer-at2/RSN763_LOMAP_GIL067.AT2", {7999}, 0.005, {-0.358533}},
+        Known{"kiknet/TKYH121103111446.EW2", {30000}, 0.01, {0.108002}},
+        Known{"kiknet/TKYH121103111446.NS2", {30000}, 0.01, {-0.160279}},
+        Known{"kiknet/TKYH121103111446.UD2", {30000}, 0.01, {0.066749}},
+        Known{"kiknet/NGNH311106302345.EW1", {12000}, 0.01, {-0.000196}},
+        Known{"knet/AOM0011801241951.EW", {10200}, 0.01, {0.004158}},
+        Known{"knet/AOM0011801241951.NS", {10200}, 0.01, {-0.005052}},
+        Known{"knet/AOM0011801241951.UD", {10200}, 0.01, {-0.002284}},
+        Known{"csmnc/51BXD_lushan_ua0001.dat", {12000}, 0.005, {-1.025172}},
+        Known{"rec/EQKobe.rec", {4000}, 0.01, {-1.0}}, Known{"rec/EQNorth.rec", {4000}, 0.01, {1.0}},
+        Known{"rec/EQTohoku.rec", {4001}, 0.01, {-1.0}}, Known{"rec/EQWenchuan.rec", {19500}, 0.01, {1.0}},
+        Known{"dyna-asc/20230206011732_3116_mp_Acc_E.asc", {12500}, 0.01, {-0.164977}},
+        Known{"dyna-asc/HI.ARS1..HNE.D.20190728.160908.C.ACC.ASC", {19128}, 0.005, {0.000306}},
+        Known{"nsmn/20170720223109_4817.txt", {9156}, 0.01, {-0.080602, 0.059124, -0.032354}},
+        Known{"csmip/LA116TH.RAW", {11999, 11998, 11998}, 0.005, {-0.200300, 0.060400, -0.142800}},
+        Known{"csmip/CE58667.V2", {7500}, 0.01, {0.027648, 0.011465, -0.026932}},
+        Known{"cosmos/NCC031-n.711.v0c", {36200}, 0.005, {65894.22, -51101.26, 29792.03}, nullptr, 1.0},
+        Known{"cosmos/us1000hyfh_akbmrp_AKBMR--n.1000hyfh.BNZ.--.acc.V2c", {42000}, 0.005, {-0.006987}},
+        Known{"smc/0111a.smc", {6001}, 0.005, {0.106469}},
+        Known{"usc/017m30bt.s0a", {1887}, 0.02, {0.247174}},
+        Known{"geonet/20180212_211557_WPWS_20.V2A", {5800}, 0.02, {-0.004242, -0.019782, -0.002784}},
+        Known{"cwa/2-ECU.dat", {6000}, 0.02, {0.001220, -0.002989, -0.002866}},
+        Known{"bhrc/5529-1.V1", {9472}, 0.005, {0.010244, 0.002878, 0.009506}},
+        Known{"unam/CUP50401.012", {17502}, 0.004, {0.000479, -0.001212, 0.001240}},
+        Known{"plain-text/Northridge.dat", {3989}, 0.01, {0.568300}, "g"},
+        Known{"mseed/CI.CLC..HNE.mseed", {39001}, 0.01, {0.343315}},
+        Known{"sac/20190706031952.CJ.T001230.HNE.sac", {15001}, 0.02, {0.043384}, "g"},
+        Known{"archive/AOM0011801241951.tar.gz", {10200}, 0.01, {0.004158, -0.005052, -0.002284}},
+        Known{"archive/ce14196p.zip", {2000}, 0.02, {0.223590, 0.068552, 0.250956}}),
+    [](const auto& info) {
+      std::string name = info.param.file;
+      for (char& c : name) {
+        if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+      }
+      return name;
+    });
 
 // Validation case P11; g = 9.81 there. Six to seven digits are printed.
 struct P11 {

@@ -188,7 +188,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadRecord{"empty.AT2", "", {"empty.AT2", "an empty file"}},
         BadRecord{"garbage.bin",
                   std::string("\x7f\x00\x01\xfe\xff\x80 \x03\x1b[31m", 13),
-                  {"garbage.bin", "expected a known format (tried: PEER AT2"}},
+                  {"garbage.bin", "expected a known format (tried: miniSEED, SAC, K-NET"}},
         BadRecord{"cut.AT2",
                   at2_head + "NPTS= 9, DT= .01 SEC\n 0.1 0.2 0.3\n",
                   {"cut.AT2:4", "expected 9 values", "found 3", "truncated"}},

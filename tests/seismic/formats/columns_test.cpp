@@ -94,7 +94,46 @@ TEST(Columns, RefusesTimesThatAreNotUniform) {
   EXPECT_THAT(
       input_error([&] { read(bytes, in_units("g")); }),
       HasSubstr(
-          "a.csv:32: expected equal time steps (0.0103226 s on average), found a step of 0.02 s to 0.31 s"));
+          "a.csv:32: expected equal time steps (0.0103226 s on average; option dt resamples to equal ones), "
+          "found a step of 0.02 s to 0.31 s"));
+}
+
+TEST(Columns, ResamplesALostSampleOnlyWhenTheStepIsGiven) {
+  std::string bytes = "Time,Acc\n" + time_series(",", 30);
+  bytes += fmt::format("{:.4f},0.1\n", 0.31) + fmt::format("{:.4f},0.1\n", 0.32);
+  ReadOptions options = in_units("g");
+  options.interval = 0.01;
+  const Record record = read(bytes, options);
+  EXPECT_EQ(record.acceleration.size(), 33u);
+  EXPECT_THAT(record.processing,
+              ::testing::Contains(HasSubstr("32 samples 0.01 to 0.02 s apart resampled to 33")));
+}
+
+TEST(Columns, ResamplesUnevenTimesAndSaysSo) {
+  const Record record = read("0.00 0\n0.01 1\n0.03 3\n0.07 7\n0.08 8\n0.10 10\n", in_units("m/s2"));
+  ASSERT_EQ(record.acceleration.size(), 11u);
+  for (std::size_t k = 0; k < 11; ++k) EXPECT_NEAR(record.acceleration[k], static_cast<double>(k), 1e-9);
+  EXPECT_THAT(record.processing, ::testing::Contains(HasSubstr("resampled to 11 every 0.01 s")));
+}
+
+TEST(Columns, TakesAShorterFirstStepAndATimeThatBeginsLate) {
+  const Record shorter = read("0 1\n0.005 2\n0.015 3\n0.025 4\n0.035 5\n", in_units("m/s2"));
+  EXPECT_DOUBLE_EQ(shorter.interval, 0.01);
+  EXPECT_THAT(shorter.warnings, ::testing::Contains(HasSubstr("the first step is 0.005 s")));
+  const Record late = read("0.01 1\n0.02 2\n0.03 3\n0.04 4\n", in_units("m/s2"));
+  EXPECT_DOUBLE_EQ(late.interval, 0.01);
+  EXPECT_EQ(late.acceleration, (std::vector<double>{1, 2, 3, 4}));
+}
+
+TEST(Columns, ReadsSeveralComponentsBehindTheTime) {
+  std::string bytes = "time;EW;NS;UD\n";
+  for (int k = 0; k < 20; ++k) bytes += fmt::format("{:.2f};{};{};{}\n", 0.02 * k, k % 5, k % 3, k % 7);
+  const RecordSet set = read_record(write_file("a.csv", bytes), in_units("gal"));
+  ASSERT_EQ(set.components.size(), 3u);
+  EXPECT_EQ(set.components[1].component, "NS");
+  EXPECT_EQ(set.vertical()->component, "UD");
+  EXPECT_DOUBLE_EQ(set.components[1].acceleration[2], 0.02);
+  EXPECT_DOUBLE_EQ(set.horizontal().interval, 0.02);
 }
 
 TEST(Columns, RefusesTimesThatGoBack) {

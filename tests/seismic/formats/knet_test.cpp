@@ -97,7 +97,7 @@ TEST(Knet, HeaderPeakThatIsNotMetIsAWarning) {
   const auto at = bytes.find("Max. Acc. (gal)   ");
   bytes[at + 18] = '9';
   EXPECT_THAT(read_record(write_file("A.EW", bytes)).components[0].warnings,
-              Contains(HasSubstr("Max. Acc.")));
+              Contains(HasSubstr("the header states a peak of 0.09")));
 }
 
 TEST(Knet, CollectsTheFaultsOfTheHeader) {

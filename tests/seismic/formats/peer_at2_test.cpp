@@ -73,6 +73,16 @@ TEST(PeerAt2, KnowsWhereItComesFrom) {
   EXPECT_THAT(record.warnings, IsEmpty());
 }
 
+TEST(PeerAt2, ChecksThePeakThatSomeFilesState) {
+  const std::string stated = "ACCELERATION TIME HISTORY IN UNITS OF G. PGA= ";
+  const auto with = [&](const std::string& peak) {
+    return read("PEER\nE, d, s, 67\n" + stated + peak + " G, PGV= 3.1\nNPTS= 6, DT= .01 SEC\n" + six_values);
+  };
+  EXPECT_THAT(with("1.0").warnings, IsEmpty());
+  EXPECT_DOUBLE_EQ(*with("1.0").provenance.stated_peak, standard_gravity);
+  EXPECT_THAT(with(".48431").warnings, ::testing::Contains(HasSubstr("the header states a peak of 4.7494")));
+}
+
 TEST(PeerAt2, TooFewValuesIsAnErrorThatNamesBothCounts) {
   const std::string text = input_error([] { read(at2("NPTS= 8, DT= .01 SEC", six_values)); });
   EXPECT_THAT(text, HasSubstr("a.at2:4: expected 8 values, as the header states, found 6"));
