@@ -56,7 +56,7 @@ void refuse_too_much_output(const Preparation& p) {
 Preparation prepare(const Scenario& scenario, const std::filesystem::path& records_directory) {
   Preparation p;
   p.scenario = scenario;
-  p.building = structures::build_layout(scenario.layout.name, scenario.layout.parameters);
+  p.building = building_of(scenario);
   p.findings = structures::check_model(p.building);
   refuse_errors(p.findings);
   p.motion = make_motion(scenario, records_directory);
