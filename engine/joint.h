@@ -30,7 +30,7 @@ struct Joint {
   JointKind kind = JointKind::pin;
   Owner a, b;
   Vec2 anchor_a, anchor_b;            // m, in the frames of a and b (from their centroids)
-  double stiffness = 0.0;             // N/m
+  double stiffness = 0.0;             // N/m; 0 for a spring that is a dashpot alone
   double rotational_stiffness = 0.0;  // N m/rad, weld
   std::optional<double> damping;      // N s/m; instead of damping_ratio
   double damping_ratio = 0.0;         // -, of the mass that the joint feels

@@ -38,8 +38,9 @@ Matrix6 gap_curvature(const PointGeometry& g) {
 
 Matrix6 point_tangent(const PointStiffness& law, const PointGeometry& g) {
   const Vector6 jn = jacobian(g.normal, g), jt = jacobian(turned(g.normal), g);
+  const double tangential = law.friction > 0.0 ? law.tangential : 0.0;
   return law.normal * jn * jn.transpose() - law.normal * g.overlap * gap_curvature(g) +
-         law.tangential * jt * jt.transpose();
+         tangential * jt * jt.transpose();
 }
 
 void scatter(const Model& model, Index corner, Index edge, const Matrix6& k,

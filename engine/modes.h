@@ -1,4 +1,4 @@
-// Small vibrations about the present state, every touching contact stuck.
+// Small vibrations about the present state, every touching contact stuck that has any friction.
 //
 // Tangent stiffness: K = sum over points of  kn dg dg' - N d2g + kt ds ds',  g the gap, s the slip, N the
 // force. The second derivative of the gap carries the weight's overturning (P-Delta). Gravity itself is

@@ -150,7 +150,7 @@ std::vector<Loss> find_level_losses(const Building& building, const std::vector<
   for (const Storey& storey : building.storeys) {
     Loss loss = loss_of_mass(storey.level_blocks, blocks, masses, criteria.level_mass);
     keep_earlier(loss, loss_of_carriers(storey, blocks));
-    if (!levels.empty() && levels.back().step < loss.step)
+    if (!levels.empty() && !storey.stands_on_ground && levels.back().step < loss.step)
       loss = {levels.back().step, levels.back().step, "the level below was lost"};
     levels.push_back(std::move(loss));
   }

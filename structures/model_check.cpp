@@ -7,6 +7,7 @@
 #include <deque>
 #include <limits>
 #include <numeric>
+#include <set>
 
 #include "structures/separation.h"
 #include "structures/units.h"
@@ -52,6 +53,7 @@ class Check {
   std::vector<Finding> run(const Building& building) {
     check_storeys(building);
     if (!all_finite()) return sorted();
+    find_links();
     find_touches();
     check_overlaps_and_gaps();
     check_support();
@@ -98,6 +100,17 @@ class Check {
     }
   }
 
+  /// What bonds and joints hold to each other.
+  void find_links() {
+    const auto piece = [&](engine::Owner owner) { return owner.index + (owner.terrain ? blocks() : 0); };
+    for (const engine::Bond& bond : scene_.bonds) bonded_.insert(std::minmax(piece(bond.a), piece(bond.b)));
+    for (const engine::Joint& joint : scene_.joints)
+      if (joint.stiffness > 0.0) jointed_.insert(std::minmax(piece(joint.a), piece(joint.b)));
+  }
+  bool linked(const Touch& touch) const {
+    return bonded_.contains({touch.a, touch.b}) || jointed_.contains({touch.a, touch.b});
+  }
+
   /// Sweep along the direction in which the pieces are spread most: only neighbours are compared.
   void find_touches() {
     const bool tall = spread(&Vec2::y) > spread(&Vec2::x);
@@ -133,12 +146,15 @@ class Check {
 
   void compare(std::size_t a, std::size_t b) {
     if (a >= blocks()) return;  // terrains may run into each other
+    if (!touchable(a) || !touchable(b)) return;
     const Separation between = separation(pieces_[a].shape, pieces_[b].shape, options_.touch_tolerance);
     if (between.gap < options_.suspicious_gap && between.facing)
       touches_.push_back({a, b, between});
     else if (between.gap < -options_.overlap_tolerance)
       touches_.push_back({a, b, between});
   }
+
+  bool touchable(std::size_t i) const { return i >= blocks() || scene_.bodies[i].collides; }
 
   bool bears(const Touch& touch) const { return std::abs(touch.between.normal.y) > upright; }
 
@@ -151,7 +167,7 @@ class Check {
             fmt::format("{} overlaps {} by {} {}", pieces_[touch.a].name, name_of_other(touch),
                         millimetres(-gap), at(place)),
             place);
-      else if (gap > options_.touch_tolerance && bears(touch))
+      else if (gap > options_.touch_tolerance && bears(touch) && !linked(touch))
         add(Severity::warning,
             fmt::format("{} and {} are {} apart {}: too little to be meant, and it closes with a jolt",
                         pieces_[touch.a].name, name_of_other(touch), millimetres(gap), at(place)),
@@ -174,7 +190,7 @@ class Check {
     std::deque<std::size_t> waiting;
     for (std::size_t i = blocks(); i < pieces_.size(); ++i) waiting.push_back(i);
     do spread_upwards(supported, std::move(waiting));
-    while (!(waiting = wedged_row(supported)).empty());
+    while (!(waiting = wedged_row(supported)).empty() || !(waiting = hung(supported)).empty());
     for (std::size_t i = 0; i < blocks(); ++i)
       if (!supported[i])
         add(Severity::error,
@@ -183,11 +199,12 @@ class Check {
             scene_.bodies[i].position);
   }
 
-  /// Breadth first, from the lower to the upper of every bearing touch.
+  /// Breadth first, from the lower to the upper of every bearing touch, and along bonds.
   void spread_upwards(std::vector<bool>& supported, std::deque<std::size_t> waiting) const {
     std::vector<std::vector<std::size_t>> carried(pieces_.size());
     for (const Touch& touch : touches_)
       if (bears(touch)) carried[lower(touch)].push_back(upper(touch));
+    for (const auto& [a, b] : bonded_) carried[a].push_back(b), carried[b].push_back(a);
     while (!waiting.empty()) {
       const std::size_t i = waiting.front();
       waiting.pop_front();
@@ -195,6 +212,15 @@ class Check {
       supported[i] = true;
       waiting.insert(waiting.end(), carried[i].begin(), carried[i].end());
     }
+  }
+
+  /// What a joint holds to something supported. Looked at last: a brace between two voussoirs carries no
+  /// arch.
+  std::deque<std::size_t> hung(const std::vector<bool>& supported) const {
+    std::deque<std::size_t> blocks;
+    for (const auto& [a, b] : jointed_)
+      if (supported[a] != supported[b]) blocks.push_back(supported[a] ? b : a);
+    return blocks;
   }
 
   /// A row of unsupported blocks that touch over steep joints, as those near the crown of an arch do, and
@@ -242,7 +268,11 @@ class Check {
       left[upper(touch)] = std::min(left[upper(touch)], low);
       right[upper(touch)] = std::max(right[upper(touch)], high);
     }
+    std::set<std::size_t> held;
+    for (const auto* links : {&bonded_, &jointed_})
+      for (const auto& [a, b] : *links) held.insert({a, b});
     for (std::size_t i = 0; i < blocks(); ++i) {
+      if (held.contains(i)) continue;
       const Vec2 centre = scene_.bodies[i].position;
       const double beside = std::max(left[i] - centre.x, centre.x - right[i]);
       if (beside == none || beside <= options_.touch_tolerance) continue;
@@ -305,6 +335,7 @@ class Check {
   const ModelCheckOptions& options_;
   std::vector<Piece> pieces_;
   std::vector<Touch> touches_;
+  std::set<std::pair<std::size_t, std::size_t>> bonded_, jointed_;
   std::vector<Finding> findings_;
 };
 

@@ -5,10 +5,10 @@
 // mass beside its support, slivers, masses or stiffnesses too far apart for one time step.
 //
 // A block is supported when a chain of touches, each with its normal within about 75 degrees of
-// upright, leads down to a terrain, or when it belongs to a row of blocks that leans on supported ones to
-// both sides, as near the crown of an arch. A block whose own centre of mass lies beside its support topples
-// at once unless a neighbour pushes it back or what stands on it holds it down, which this check does not
-// judge.
+// upright, and of bonds and joints leads to a terrain, or when it belongs to a row of blocks that leans on
+// supported ones to both sides, as near the crown of an arch. A block whose own centre of mass lies beside
+// its support topples at once unless a neighbour pushes it back or what stands on it holds it down, which
+// this check does not judge.
 #pragma once
 
 #include <string>

@@ -93,7 +93,7 @@ void add_floor_histories(const Run& run, const Storey& storey, std::size_t lost,
   }
 }
 
-/// below is null for the first storey: the ground.
+/// below is null for the first storey of a building or neighbour: the ground.
 void add_drift(const Run& run, const StoreyResponse* below, std::size_t lost, StoreyResponse& response) {
   for (std::size_t step = 0; step < run.steps(); ++step) {
     const double base = below ? below->floor_displacement[step] : 0.0;
@@ -149,8 +149,10 @@ StoreyResponse storey_response(const Run& run, std::size_t index, const StoreyRe
 
 void add_storeys(const Run& run, Response& response) {
   response.storeys.reserve(run.building.storeys.size());
-  for (std::size_t i = 0; i < run.building.storeys.size(); ++i)
-    response.storeys.push_back(storey_response(run, i, i > 0 ? &response.storeys[i - 1] : nullptr));
+  for (std::size_t i = 0; i < run.building.storeys.size(); ++i) {
+    const bool on_ground = i == 0 || run.building.storeys[i].stands_on_ground;
+    response.storeys.push_back(storey_response(run, i, on_ground ? nullptr : &response.storeys[i - 1]));
+  }
   if (response.storeys.empty()) return;
   response.roof_displacement = response.storeys.back().floor_displacement;
   response.peak_roof_displacement =

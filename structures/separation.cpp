@@ -85,6 +85,10 @@ PlacedShape place(const engine::Shape& shape, Vec2 position, double angle) {
   if (const auto* circle = std::get_if<engine::Circle>(&shape)) {
     placed.corners = {position};
     placed.radius = circle->radius;
+  } else if (std::holds_alternative<engine::HalfPlane>(shape)) {
+    constexpr double far = 1e5;  // m, beyond any building
+    for (const Vec2 corner : {Vec2{-far, -far}, Vec2{far, -far}, Vec2{far, 0.0}, Vec2{-far, 0.0}})
+      placed.corners.push_back(position + engine::rotated(corner, angle));
   } else {
     for (const Vec2 vertex : std::get<engine::ConvexPolygon>(shape).vertices())
       placed.corners.push_back(position + engine::rotated(vertex, angle));

@@ -30,13 +30,29 @@ int run_command(const RunOptions& options);
 
 int layouts_command();
 
-struct LayoutShowOptions {
-  std::string name;
-  std::vector<std::string> set;
-  std::string picture;  // PNG or SVG; empty: NAME.png in the current folder
+struct LayoutOptions {
+  std::string name;              // of a layout, or a scene file with storeys
+  std::vector<std::string> set;  // parameter=value
+  std::string out;               // PNG or SVG; of an export TOML, SVG or DXF; empty: NAME.png or NAME.toml
   bool force = false;
 };
-int layout_show_command(const LayoutShowOptions& options);
+/// What it is, its parameters, and a picture.
+int layout_show_command(const LayoutOptions& options);
+/// A picture.
+int layout_draw_command(const LayoutOptions& options);
+/// What the model check finds, whether it settles, and its period.
+int layout_check_command(const LayoutOptions& options);
+int layout_export_command(const LayoutOptions& options);
+
+struct ImportOptions {
+  std::string file;                   // .dxf or .csv
+  std::string out;                    // .toml
+  std::string units = "m";            // of a DXF file
+  std::string material = "concrete";  // a preset
+  bool force = false;
+};
+/// Outlines drawn elsewhere, written as a scene file that lists its storeys.
+int layout_import_command(const ImportOptions& options);
 
 int records_command();
 

@@ -3,55 +3,180 @@
 #include "app/cli/commands.h"
 #include "app/cli/model_picture.h"
 #include "app/cli/terminal.h"
+#include "app/report/model_dxf.h"
+#include "app/report/model_svg.h"
+#include "app/report/safe_file.h"
 #include "app/report/text.h"
+#include "app/study/building_scene.h"
+#include "app/study/import_outlines.h"
 #include "app/study/prepare.h"
 #include "app/study/quantity.h"
+#include "app/study/scene_file.h"
 
 namespace dougong::app {
 namespace {
 
 std::string printed(const structures::Parameter& p, double value) {
-  return print_quantity(value, p.dimension);
+  return p.choices.empty() ? print_quantity(value, p.dimension) : print_value(p, value);
+}
+
+std::string range_of(const structures::Parameter& p) {
+  return p.choices.empty() ? printed(p, p.least) + " .. " + printed(p, p.most)
+                           : fmt::format("{}", fmt::join(p.choices, ", "));
 }
 
 void print_parameters(const structures::Layout& layout, const structures::ParameterMap& values) {
   fmt::print("{:<20}{:>12}{:>12}   {:<26}{}\n", "parameter", "value", "default", "range", "meaning");
   for (const structures::Parameter& p : layout.parameters)
     fmt::print("{:<20}{:>12}{:>12}   {:<26}{}\n", p.name, printed(p, values.at(p.name)),
-               printed(p, p.standard), printed(p, p.least) + " .. " + printed(p, p.most), p.meaning);
+               printed(p, p.standard), range_of(p), p.meaning);
+}
+
+Scenario scenario_of(const LayoutOptions& options, const std::string& command) {
+  const bool by_hand = options.name.ends_with(".toml");
+  std::vector<Override> overrides{{by_hand ? "layout.file" : "layout.name", options.name, command}};
+  for (const std::string& text : options.set) overrides.push_back(parse_override(text));
+  return scenario_from(overrides, RecordRule::optional);
+}
+
+std::filesystem::path out_of(const LayoutOptions& options, const std::string& extension) {
+  if (!options.out.empty()) return options.out;
+  return std::filesystem::path(options.name).stem().string() + extension;
+}
+
+int print_findings(const structures::Building& building) {
+  int errors = 0;
+  for (const structures::Finding& finding : structures::check_model(building)) {
+    errors += finding.severity == structures::Severity::error;
+    fmt::print("{}: {}\n", to_string(finding.severity), finding.message);
+  }
+  return errors;
+}
+
+/// A building at rest under its weight.
+struct Rest {
+  engine::Model model;
+  engine::State state;
+  engine::SettleReport report;
+};
+
+Rest settled(const structures::Building& building) {
+  engine::Model model = engine::compile(building.scene);
+  engine::State state = engine::initial_state(model, building.scene);
+  const engine::SettleReport report = engine::settle(model, state);
+  return {std::move(model), std::move(state), report};
+}
+
+/// Of the mode that carries most of the mass; "-" without one.
+std::string period_of(const Rest& rest) {
+  const engine::Mode* main = nullptr;
+  const std::vector<engine::Mode> modes = engine::horizontal_modes(rest.model, rest.state);
+  for (const engine::Mode& mode : modes)
+    if (mode.period() > 0.0 && (!main || mode.participation > main->participation)) main = &mode;
+  return main ? significant(main->period(), 3) + " s" : "-";
+}
+
+std::string summary_line(const ModelSheet& sheet) {
+  return fmt::format("{} blocks, {} bonds, {} joints, {}, {} storeys", sheet.blocks.size(),
+                     sheet.bonded.size(), sheet.links.size(), mass_text(sheet.mass), sheet.storeys.size());
 }
 
 }  // namespace
 
 int layouts_command() {
-  fmt::print("{:<20}{:>8}{:>9}{:>10}   {}\n", "layout", "blocks", "storeys", "mass", "what it is");
+  fmt::print("{:<20}{:>7}{:>7}{:>9}{:>10}{:>13}   {}\n", "layout", "blocks", "bonds", "storeys", "mass",
+             "period", "what it is");
   for (const structures::Layout& layout : structures::layouts()) {
-    const ModelSheet sheet = model_sheet(structures::build_layout(layout.name));
-    fmt::print("{:<20}{:>8}{:>9}{:>10}   {}\n", layout.name, sheet.blocks.size(), sheet.storeys.size(),
-               mass_text(sheet.mass), layout.summary);
+    const structures::Building building = structures::build_layout(layout.name);
+    const ModelSheet sheet = model_sheet(building);
+    fmt::print("{:<20}{:>7}{:>7}{:>9}{:>10}{:>13}   {}\n", layout.name, sheet.blocks.size(),
+               sheet.bonded.size(), sheet.storeys.size(), mass_text(sheet.mass), period_of(settled(building)),
+               layout.summary);
   }
-  fmt::print("\nParameters and a picture of one: dougong layout show NAME\n");
+  fmt::print(
+      "\nPeriod: small vibrations after settling, every contact stuck.\n"
+      "Parameters and a picture of one: dougong layout show NAME\n");
   return exit_survived;
 }
 
-int layout_show_command(const LayoutShowOptions& options) {
-  std::vector<Override> overrides{{"layout.name", options.name, "layout show"}};
-  for (const std::string& text : options.set) overrides.push_back(parse_override(text));
-  const Scenario scenario = scenario_from(overrides, RecordRule::optional);
-  const structures::Layout& layout = structures::find_layout(scenario.layout.name);
-  const std::filesystem::path path = options.picture.empty() ? layout.name + ".png" : options.picture;
-  refuse_picture(path, "--picture", options.force);
-  const structures::Building building = structures::build_layout(layout.name, scenario.layout.parameters);
+int layout_show_command(const LayoutOptions& options) {
+  const Scenario scenario = scenario_of(options, "layout show");
+  const std::filesystem::path path = out_of(options, ".png");
+  refuse_picture(path, "--out", options.force);
+  const structures::Building building = building_of(scenario);
   const ModelSheet sheet = model_sheet(building);
-
-  fmt::print("{}: {}\n{}\n\n", layout.name, layout.summary, layout.counting);
-  print_parameters(layout, scenario.layout.parameters);
-  fmt::print("\n{} blocks, {}, {} storeys\n", sheet.blocks.size(), mass_text(sheet.mass),
-             sheet.storeys.size());
-  for (const structures::Finding& finding : structures::check_model(building))
-    fmt::print("{}: {}\n", to_string(finding.severity), finding.message);
+  fmt::print("{}: {}\n", building.layout, sheet.title);
+  if (scenario.layout.file.empty()) {
+    const structures::Layout& layout = structures::find_layout(scenario.layout.name);
+    fmt::print("{}\n\n", layout.counting);
+    print_parameters(layout, scenario.layout.parameters);
+  }
+  fmt::print("\n{}\n", summary_line(sheet));
+  print_findings(building);
   write_model_picture(sheet, path);
   fmt::print("picture: {}\n", path.string());
+  return exit_survived;
+}
+
+int layout_draw_command(const LayoutOptions& options) {
+  const Scenario scenario = scenario_of(options, "layout draw");
+  const std::filesystem::path path = out_of(options, ".png");
+  refuse_picture(path, "--out", options.force);
+  write_model_picture(model_sheet(building_of(scenario)), path);
+  fmt::print("picture: {}\n", path.string());
+  return exit_survived;
+}
+
+int layout_check_command(const LayoutOptions& options) {
+  const structures::Building building = building_of(scenario_of(options, "layout check"));
+  fmt::print("{}: {}\n", building.layout, summary_line(model_sheet(building)));
+  if (print_findings(building) > 0) return exit_bad_input;
+  const Rest rest = settled(building);
+  fmt::print("{} after {} s simulated; {} moved most, by {} mm; {} of {} bond points broken\n",
+             rest.report.settled ? "settled" : "did not settle", significant(rest.report.duration, 3),
+             rest.report.moved_most.empty() ? "nothing" : rest.report.moved_most,
+             significant(1e3 * rest.report.greatest_movement, 3), rest.state.bonds.broken,
+             rest.model.bond_points.size());
+  if (!rest.report.settled) return exit_bad_input;
+  fmt::print("period {}\n", period_of(rest));
+  return exit_survived;
+}
+
+int layout_export_command(const LayoutOptions& options) {
+  const Scenario scenario = scenario_of(options, "layout export");
+  const std::filesystem::path path = out_of(options, ".toml");
+  const std::string extension = path.extension().string();
+  if (extension != ".toml" && extension != ".svg" && extension != ".dxf")
+    throw FileError(path, "export the layout", "expected a name that ends in .toml, .svg or .dxf");
+  if (!options.force && std::filesystem::exists(path))
+    throw FileError(path, "export the layout", "the file exists; give --force or another --out");
+  const structures::Building building = building_of(scenario);
+  if (extension == ".toml") write_file(path, to_toml(description_of(building)));
+  if (extension == ".svg") write_file(path, model_svg(model_sheet(building)));
+  if (extension == ".dxf") write_file(path, model_dxf(model_sheet(building)));
+  fmt::print("{}: {}\n", path.string(), summary_line(model_sheet(building)));
+  return exit_survived;
+}
+
+int layout_import_command(const ImportOptions& options) {
+  const std::filesystem::path file = options.file, path = options.out;
+  const bool dxf = file.extension() == ".dxf";
+  if (!dxf && file.extension() != ".csv")
+    throw FileError(file, "import outlines", "expected a name that ends in .dxf or .csv");
+  if (path.extension() != ".toml")
+    throw FileError(path, "import outlines", "expected a name that ends in .toml");
+  if (!options.force && std::filesystem::exists(path))
+    throw FileError(path, "import outlines", "the file exists; give --force or another --out");
+  const double unit = options.units == "m" ? 1.0 : options.units == "cm" ? 0.01 : 0.001;
+  const Outlines outlines = dxf ? read_dxf_outlines(file, unit) : read_csv_outlines(file);
+  const SceneDescription description = building_from(outlines, options.file, options.material);
+  const structures::Building building =
+      building_of(read_scene(to_toml(description), options.file), options.file);
+  write_file(path, to_toml(description));
+  fmt::print("{}: {}\n", path.string(), summary_line(model_sheet(building)));
+  if (outlines.left_out > 0)
+    fmt::print("left out: {} entities that are no closed polyline\n", outlines.left_out);
+  print_findings(building);
   return exit_survived;
 }
 

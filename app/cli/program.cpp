@@ -29,7 +29,8 @@ std::string command_text(int argc, const char* const* argv) {
 // Options of all commands, and the one that was asked for.
 struct Request {
   RunOptions run;
-  LayoutShowOptions layout;
+  LayoutOptions layout;
+  ImportOptions import;
   RecordInfoOptions record;
   RecordConvertOptions convert;
   ReportOptions report;
@@ -64,20 +65,47 @@ void add_run(CLI::App& app, Request& r) {
   run->callback([&r] { r.command = [&r] { return run_command(r.run); }; });
 }
 
+void add_layout(CLI::App& parent, Request& r, const char* name, const char* meaning,
+                int (*command)(const LayoutOptions&), const std::string& example) {
+  CLI::App* sub = parent.add_subcommand(name, meaning);
+  sub->add_option("name", r.layout.name, "Name of the layout, or a scene file that lists its storeys")
+      ->required();
+  sub->add_option("values", r.layout.set, "parameter=value of the layout, key=value of [on] and [beside]");
+  sub->add_option("--set", r.layout.set, "parameter=value")->take_all()->allow_extra_args(false);
+  sub->add_option("--out,--picture", r.layout.out, "File to write");
+  sub->add_flag("--force", r.layout.force, "Write over an existing file");
+  sub->footer("Example: " + example);
+  sub->callback([&r, command] { r.command = [&r, command] { return command(r.layout); }; });
+}
+
+void add_layout_import(CLI::App& parent, Request& r) {
+  CLI::App* sub = parent.add_subcommand("import", "Make a building by hand of outlines in a DXF or CSV file");
+  sub->add_option("file", r.import.file, "DXF with closed polylines, or CSV with a row a corner")->required();
+  sub->add_option("--out", r.import.out, "Scene file to write (.toml)")->required();
+  sub->add_option("--units", r.import.units, "Unit of a DXF file's lengths: m, cm or mm")
+      ->check(CLI::IsMember({"m", "cm", "mm"}));
+  sub->add_option("--material", r.import.material, "Preset of blocks and ground (docs/scene.md)");
+  sub->add_flag("--force", r.import.force, "Write over an existing file");
+  sub->footer("Example: dougong layout import wall.dxf --units mm --material brick --out wall.toml");
+  sub->callback([&r] { r.command = [&r] { return layout_import_command(r.import); }; });
+}
+
 void add_layouts(CLI::App& app, Request& r) {
   CLI::App* list = app.add_subcommand("layouts", "List the buildings there are");
   list->footer("Example: dougong layouts");
   list->callback([&r] { r.command = layouts_command; });
-  CLI::App* layout = app.add_subcommand("layout", "One building: its parameters and a picture");
+  CLI::App* layout = app.add_subcommand("layout", "One building: its parameters, picture, check and export");
   layout->require_subcommand(1);
   layout->footer("Example: dougong layout show brick-wall");
-  CLI::App* show = layout->add_subcommand("show", "Parameters with defaults and units, and a picture");
-  show->add_option("name", r.layout.name, "Name of the layout")->required();
-  show->add_option("--set", r.layout.set, "parameter=value")->take_all()->allow_extra_args(false);
-  show->add_option("--picture", r.layout.picture, "PNG or SVG file to draw (NAME.png)");
-  show->add_flag("--force", r.layout.force, "Write over an existing picture");
-  show->footer("Example: dougong layout show brick-wall --set courses=20 --picture wall.svg");
-  show->callback([&r] { r.command = [&r] { return layout_show_command(r.layout); }; });
+  add_layout(*layout, r, "show", "Parameters with defaults and units, and a picture", layout_show_command,
+             "dougong layout show brick-wall courses=20 --picture wall.svg");
+  add_layout(*layout, r, "draw", "A picture", layout_draw_command,
+             "dougong layout draw concrete-frame infill=above-first --out frame.svg");
+  add_layout(*layout, r, "check", "The model check, settling under gravity, and the period",
+             layout_check_command, "dougong layout check masonry-house ties=every-floor");
+  add_layout(*layout, r, "export", "Write it as a scene file, a drawing or a DXF file", layout_export_command,
+             "dougong layout export pagoda storeys=7 --out pagoda.dxf");
+  add_layout_import(*layout, r);
 }
 
 void add_record_choice(CLI::App& app, RecordInfoOptions& record) {

@@ -125,11 +125,10 @@ std::string time_text(double value) {
 std::vector<std::string> preparation_text(const Preparation& p) {
   const ModelSheet sheet = model_sheet(p);
   std::vector<std::string> lines{
-      row("building",
-          fmt::format("{}: {}", p.building.layout, structures::find_layout(p.building.layout).summary)),
-      row("model", fmt::format("{} rigid blocks, 0 bonds, {} touching contact points, {}, {} storeys",
-                               p.model.body_count, p.contact_points, mass_text(p.model.total_mass()),
-                               p.building.storeys.size())),
+      row("building", fmt::format("{}: {}", p.building.layout, sheet.title)),
+      row("model", fmt::format("{} rigid blocks, {} bonds, {} touching contact points, {}, {} storeys",
+                               p.model.body_count, p.building.scene.bonds.size(), p.contact_points,
+                               mass_text(p.model.total_mass()), p.building.storeys.size())),
       row("modelled", heads_of(sheet.modelled)),
       row("left out", heads_of(sheet.not_modelled)),
       row("settle", settle_text(p)),

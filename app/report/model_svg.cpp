@@ -103,6 +103,22 @@ std::string links_part(const ModelSheet& model, const Sheet& sheet) {
                      : fmt::format("<g fill=\"#ffffff\" stroke=\"{}\">\n{}</g>\n", to_hex(ink::outline), out);
 }
 
+/// Bonds: the bonded face in blue.
+std::string bonds_part(const ModelSheet& model, const Sheet& sheet) {
+  std::string path;
+  for (const DrawnBond& bond : model.bonded) {
+    const Pose pose =
+        described_pose(bond.owner < model.blocks.size() ? model.blocks[bond.owner]
+                                                        : model.terrains[bond.owner - model.blocks.size()]);
+    const auto at = [&](Vec2 local) { return sheet.at(pose.position + engine::rotated(local, pose.angle)); };
+    const Vec2 a = at(bond.start), b = at(bond.end);
+    path += fmt::format("M{:.2f} {:.2f}L{:.2f} {:.2f}", a.x, a.y, b.x, b.y);
+  }
+  return path.empty() ? ""
+                      : fmt::format("<path class=\"bonds\" d=\"{}\" stroke=\"{}\" stroke-width=\"1.8\"/>\n",
+                                    path, to_hex(ink::bond));
+}
+
 std::string text_part(double x, double y, const std::string& text, Colour colour = ink::text) {
   return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" fill=\"{}\">{}</text>\n", x, y, to_hex(colour),
                      escape_markup(text));
@@ -111,7 +127,7 @@ std::string text_part(double x, double y, const std::string& text, Colour colour
 /// A dimension line beside each storey; names only where they fit.
 std::string storeys_part(const ModelSheet& model, const Sheet& sheet) {
   const double x = sheet.width + 14.0;
-  double last = INFINITY;
+  std::vector<double> lettered;  // px: neighbours' storeys may lie at one height
   std::string out;
   for (const StoreySheet& storey : model.storeys) {
     const double low = sheet.at({0.0, storey.base}).y, high = sheet.at({0.0, storey.base + storey.height}).y;
@@ -120,9 +136,10 @@ std::string storeys_part(const ModelSheet& model, const Sheet& sheet) {
         "stroke-width=\"0.8\" fill=\"none\"/>\n",
         x, low, high, x + 4.0, to_hex(ink::quiet));
     const double middle = 0.5 * (low + high) + 4.0;
-    if (last - middle < 15.0) continue;
+    const auto too_near = [&](double y) { return std::abs(y - middle) < 15.0; };
+    if (std::ranges::any_of(lettered, too_near)) continue;
     out += text_part(x + 14.0, middle, storey.name + ", h = " + significant(storey.height, 3) + " m");
-    last = middle;
+    lettered.push_back(middle);
   }
   return out;
 }
@@ -159,8 +176,8 @@ std::string model_svg(const ModelSheet& model) {
   out += fmt::format("<g stroke=\"{}\" stroke-width=\"{}\" stroke-linejoin=\"round\">\n",
                      to_hex(ink::outline), line);
   for (const DrawnShape& block : model.blocks) out += block_part(block, sheet);
-  return out + "</g>\n" + links_part(model, sheet) + "</g>\n" + storeys_part(model, sheet) +
-         scale_bar_part(sheet) + "</svg>\n";
+  return out + "</g>\n" + bonds_part(model, sheet) + links_part(model, sheet) + "</g>\n" +
+         storeys_part(model, sheet) + scale_bar_part(sheet) + "</svg>\n";
 }
 
 }  // namespace dougong::app

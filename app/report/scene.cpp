@@ -444,15 +444,15 @@ Colour storey_colour(int storey) {
 
 void label_storeys(Image& image, const Fonts& fonts, const ModelSheet& model, const Camera& camera,
                    double top, double left, double s) {
-  double last = INFINITY;
+  std::vector<double> lettered;  // px: neighbours' storeys may lie at one height
   for (std::size_t i = model.storeys.size(); i-- > 0;) {
     const StoreySheet& storey = model.storeys[i];
     const double middle = storey.base + 0.5 * storey.height;
     const double y = top + camera.pixels_per_metre * (camera.box.high.y - middle);
-    if (std::abs(y - last) < 15 * s && std::isfinite(last)) continue;
+    if (std::ranges::any_of(lettered, [&](double other) { return std::abs(y - other) < 15 * s; })) continue;
     fonts.small.draw(image, storey.name + ", h " + significant(storey.height, 3) + " m", left, y + 4 * s,
                      ink::text);
-    last = y;
+    lettered.push_back(y);
   }
 }
 

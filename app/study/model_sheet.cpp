@@ -21,9 +21,26 @@ void add_storeys(const structures::Building& building, ModelSheet& sheet) {
   }
 }
 
-std::string meaning_of(const std::string& layout, const std::string& parameter) {
-  const structures::Parameter* p = structures::find_layout(layout).parameter(parameter);
+/// Of the layout's own, or of what stands on or beside it ("on.storeys").
+std::string meaning_of(const structures::Building& building, const std::string& name) {
+  const std::size_t dot = name.find('.');
+  const std::string parameter = dot == std::string::npos ? name : name.substr(dot + 1);
+  const auto companion = building.parameters.find(name.substr(0, dot) + ".name");
+  const structures::Layout* known = structures::known_layout(
+      dot == std::string::npos || companion == building.parameters.end() ? building.layout
+                                                                         : companion->second);
+  const structures::Parameter* p = known ? known->parameter(parameter) : nullptr;
   return p ? p->meaning : "";
+}
+
+std::string summary_of(const structures::Building& building) {
+  const structures::Layout* known = structures::known_layout(building.layout);
+  std::string summary = known ? known->summary : "a building by hand";
+  for (const auto& [key, words] :
+       {std::pair{"on.name", "with a layout on a floor: "}, {"beside.name", "beside it: "}})
+    if (const auto it = building.parameters.find(key); it != building.parameters.end())
+      summary += fmt::format("; {}{}", words, it->second);
+  return summary;
 }
 
 std::vector<std::string> modelled_terms(const Preparation& p) {
@@ -38,6 +55,15 @@ std::vector<std::string> modelled_terms(const Preparation& p) {
       p.motion.ground->vertical()
           ? "ground motion, horizontal and vertical, as absolute displacement of the ground"
           : "ground motion, horizontal, as absolute displacement of the ground"};
+  if (!p.building.scene.bonds.empty())
+    terms.push_back(
+        fmt::format("{} bonded faces, each of two springs with the stiffness of the blocks between them, "
+                    "that yield, soften "
+                    "or break",
+                    p.building.scene.bonds.size()));
+  if (!p.building.scene.joints.empty())
+    terms.push_back(
+        fmt::format("{} joints: springs and dashpots that never break", p.building.scene.joints.size()));
   return terms;
 }
 
@@ -46,7 +72,8 @@ std::vector<std::string> missing_terms(const Preparation& p) {
       "deformation, cracking and crushing within a block: blocks are rigid, their elasticity acts at the "
       "contacts",
       "out-of-plane motion and torsion: the model is plane",
-      "mortar, ties, reinforcement and other bonds: the assembly is dry",
+      p.building.scene.bonds.empty() ? "mortar, ties, reinforcement and other bonds: the assembly is dry"
+                                     : "crushing, and rupture of what yields: a ductile bond never tears",
       "soil flexibility and soil-structure interaction: the ground is rigid and moves as prescribed"};
   if (!p.motion.ground->vertical()) terms.push_back("vertical ground motion");
   return terms;
@@ -57,9 +84,9 @@ std::vector<std::string> missing_terms(const Preparation& p) {
 ModelSheet model_sheet(const structures::Building& building) {
   ModelSheet sheet;
   sheet.layout = building.layout;
-  sheet.title = structures::find_layout(building.layout).summary;
+  sheet.title = summary_of(building);
   for (const auto& [name, value] : building.parameters)
-    sheet.parameters.push_back({name, value, meaning_of(building.layout, name)});
+    sheet.parameters.push_back({name, value, meaning_of(building, name)});
   for (const engine::Material& m : building.scene.materials) sheet.materials.push_back(material_sheet(m));
   for (const engine::Body& body : building.scene.bodies) {
     sheet.blocks.push_back(drawn_shape(body, building.scene));
@@ -67,6 +94,7 @@ ModelSheet model_sheet(const structures::Building& building) {
   }
   for (const engine::Terrain& terrain : building.scene.terrains)
     sheet.terrains.push_back(drawn_shape(terrain, building.scene));
+  draw_connections(building.scene, sheet);
   add_storeys(building, sheet);
   return sheet;
 }

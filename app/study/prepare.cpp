@@ -57,7 +57,7 @@ Preparation prepare(const Scenario& scenario, const std::filesystem::path& recor
                     std::size_t member) {
   Preparation p;
   p.scenario = scenario;
-  p.building = structures::build_layout(scenario.layout.name, scenario.layout.parameters);
+  p.building = building_of(scenario);
   p.findings = structures::check_model(p.building);
   refuse_errors(p.findings);
   perturb(p.building, scenario.ensemble.perturbation, member);

@@ -144,6 +144,34 @@ DrawnShape drawn_shape(const engine::Terrain& terrain, const engine::Scene& scen
   return drawn(terrain, scene);
 }
 
+namespace {
+
+struct DescribedPose {
+  Vec2 position;
+  double angle;
+};
+
+DescribedPose pose_of(engine::Owner owner, const engine::Scene& scene) {
+  if (owner.terrain) return {scene.terrains[owner.index].position, scene.terrains[owner.index].angle};
+  return {scene.bodies[owner.index].position, scene.bodies[owner.index].angle};
+}
+
+DrawnBond drawn_bond(const engine::Bond& bond, std::size_t owner, const DescribedPose& pose) {
+  const auto local = [&](Vec2 place) { return engine::rotated(place - pose.position, -pose.angle); };
+  return {bond.name, owner, local(bond.start), local(bond.end)};
+}
+
+}  // namespace
+
+void draw_connections(const engine::Scene& scene, ModelSheet& sheet) {
+  sheet.bonds = scene.bonds.size();
+  const auto place = [&](engine::Owner o) { return o.terrain ? scene.bodies.size() + o.index : o.index; };
+  for (const engine::Bond& bond : scene.bonds)
+    sheet.bonded.push_back(drawn_bond(bond, place(bond.b), pose_of(bond.b, scene)));
+  for (const engine::Joint& joint : scene.joints)
+    sheet.links.push_back({place(joint.a), place(joint.b), joint.anchor_a, joint.anchor_b});
+}
+
 NamedValue material_sheet(const engine::Material& m) {
   return {
       m.name,

@@ -30,6 +30,8 @@ double deepest_overlap_ratio(const engine::ContactPoints& points, std::span<cons
 /// A body or terrain as it is drawn, where the scene describes it.
 DrawnShape drawn_shape(const engine::Body& body, const engine::Scene& scene);
 DrawnShape drawn_shape(const engine::Terrain& terrain, const engine::Scene& scene);
+/// The scene's joints and bonds as they are drawn.
+void draw_connections(const engine::Scene& scene, ModelSheet& sheet);
 NamedValue material_sheet(const engine::Material& material);
 
 }  // namespace dougong::app

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "app/study/building_scene.h"
 #include "app/study/entries.h"
 #include "app/study/key_values.h"
 #include "app/study/scenario_keys.h"
@@ -14,8 +15,6 @@ namespace {
 
 using structures::Layout;
 using structures::LayoutError;
-
-const std::string layout_prefix = "layout.";
 
 std::string leaf_of(const std::string& name) {
   return name.substr(name.find('.') + 1);
@@ -43,15 +42,16 @@ class Reader {
       : entries_(std::move(entries)), source_(std::move(source)), rule_(rule) {}
 
   Scenario read() {
-    choose_layout();
+    choose_layouts();
     complete_typed_keys();
     keep_last_of_each();
     keep_one_of("record.file", "record.name");
+    keep_one_of("layout.file", "layout.name");
     keep_one_of("record.pga", "record.scale");
     for (const Entry& entry : entries_) set(entry);
     require_record();
     require_filter();
-    complete_layout();
+    complete_layouts();
     if (!errors_.empty()) throw ScenarioError(std::move(errors_));
     return scenario_;
   }
@@ -61,22 +61,44 @@ class Reader {
 
   // --- which key is meant ------------------------------------------------------------------------
 
-  /// The parameters that are keys depend on the layout, so its name comes first.
-  void choose_layout() {
-    for (const Entry& entry : entries_) {
-      if (entry.key != "layout.name" && !(entry.typed && entry.key == "layout")) continue;
-      if (const auto* name = std::get_if<std::string>(&entry.value)) scenario_.layout.name = *name;
+  /// A section that chooses a layout: its parameters are keys of the section too.
+  struct Part {
+    std::string section;
+    LayoutChoice* choice;
+    const Layout* layout = nullptr;  // null: none, or one that does not exist
+  };
+
+  Part* part_of(const std::string& key) {
+    const auto it = std::ranges::find(parts_, key.substr(0, key.find('.')), &Part::section);
+    return it == parts_.end() ? nullptr : &*it;
+  }
+
+  /// Its building comes from a file: no layout's parameters are its keys.
+  bool names_a_file(const Part& part) const {
+    const Entry* entry = find_entry(part.section + ".file");
+    return entry && is_set(*entry);
+  }
+
+  /// The parameters that are keys depend on the layouts, so their names come first.
+  void choose_layouts() {
+    for (Part& part : parts_) {
+      for (const Entry& entry : entries_) {
+        if (entry.key != part.section + ".name" && !(entry.typed && entry.key == part.section)) continue;
+        if (const auto* name = std::get_if<std::string>(&entry.value)) part.choice->name = *name;
+      }
+      const auto known = structures::layouts();
+      const auto it = std::ranges::find(known, part.choice->name, &Layout::name);
+      part.layout = it == known.end() ? nullptr : &*it;
     }
-    const auto known = structures::layouts();
-    const auto it = std::ranges::find(known, scenario_.layout.name, &Layout::name);
-    layout_ = it == known.end() ? nullptr : &*it;
   }
 
   std::vector<std::string> known_keys() const {
     std::vector<std::string> names;
     for (const ScenarioKey& key : scenario_keys()) names.push_back(key.name);
-    if (layout_)
-      for (const auto& parameter : layout_->parameters) names.push_back(layout_prefix + parameter.name);
+    for (const Part& part : parts_)
+      if (part.layout)
+        for (const auto& parameter : part.layout->parameters)
+          names.push_back(part.section + "." + parameter.name);
     return names;
   }
 
@@ -91,12 +113,15 @@ class Reader {
     std::ranges::replace(entry.key, '-', '_');
     if (entry.key.find('.') != std::string::npos) return true;
     // A section alone stands for the key that names its choice.
-    if (entry.key == "layout" || entry.key == "record") entry.key += ".name";
+    if (part_of(entry.key) || entry.key == "record") entry.key += ".name";
     if (entry.key == "output") entry.key += ".directory";
     if (entry.key.find('.') != std::string::npos) return true;
     std::vector<std::string> meant;
     for (const std::string& name : known)
       if (leaf_of(name) == entry.key) meant.push_back(name);
+    // A parameter is the building's own unless the section is said.
+    if (std::ranges::find(meant, "layout." + entry.key) != meant.end() && entry.key != "name")
+      meant = {"layout." + entry.key};
     if (meant.size() == 1) {
       entry.key = meant.front();
       return true;
@@ -112,10 +137,12 @@ class Reader {
   std::string unknown_key(const std::string& key, const std::vector<std::string>& known) const {
     const std::string nearest = nearest_key(key, known);
     if (!nearest.empty()) return fmt::format("unknown key \"{}\"; did you mean \"{}\"?", key, nearest);
-    if (!key.starts_with(layout_prefix) || !layout_) return fmt::format("unknown key \"{}\"", key);
+    const auto part = std::ranges::find(parts_, key.substr(0, key.find('.')), &Part::section);
+    if (part == parts_.end() || !part->layout) return fmt::format("unknown key \"{}\"", key);
     std::vector<std::string> names;
-    for (const auto& parameter : layout_->parameters) names.push_back(parameter.name);
-    return fmt::format("unknown key \"{}\"; layout {} has {}", key, layout_->name, fmt::join(names, ", "));
+    for (const auto& parameter : part->layout->parameters) names.push_back(parameter.name);
+    return fmt::format("unknown key \"{}\"; layout {} has {}", key, part->layout->name,
+                       fmt::join(names, ", "));
   }
 
   // --- which of several values counts -------------------------------------------------------------
@@ -151,10 +178,13 @@ class Reader {
   void set(const Entry& entry) {
     try {
       if (const ScenarioKey* key = find_key(entry.key)) return set_key(*key, entry, scenario_);
-      if (entry.key.starts_with(layout_prefix)) {
-        if (!layout_) return;  // the unknown layout is reported; its parameters cannot be judged
-        if (const auto* parameter = layout_->parameter(leaf_of(entry.key)))
-          return set_parameter(*parameter, entry);
+      if (Part* part = part_of(entry.key)) {
+        if (part->choice->name.empty() || names_a_file(*part))
+          return fail(entry.key_where,
+                      fmt::format("{}: of a layout that {}.name does not name", entry.key, part->section));
+        if (!part->layout) return;  // the unknown layout is reported; its parameters cannot be judged
+        if (const auto* parameter = part->layout->parameter(leaf_of(entry.key)))
+          return set_parameter(*part, *parameter, entry);
       }
       fail(entry.key_where, unknown_key(entry.key, known_keys()));
     } catch (const LayoutError& error) {
@@ -164,11 +194,18 @@ class Reader {
     }
   }
 
+  static std::string word_of(const Entry& entry, const structures::Parameter& parameter) {
+    if (const auto* word = std::get_if<std::string>(&entry.value)) return *word;
+    throw QuantityError(fmt::format("expected {}, in quotes", kind_of(parameter)));
+  }
+
   /// The layout judges the value itself.
-  void set_parameter(const structures::Parameter& parameter, const Entry& entry) {
-    const double value = number_of(entry, parameter.dimension);
-    structures::complete_parameters(*layout_, {{parameter.name, value}});
-    scenario_.layout.parameters[parameter.name] = value;
+  static void set_parameter(const Part& part, const structures::Parameter& parameter, const Entry& entry) {
+    const double value = parameter.choices.empty()
+                             ? number_of(entry, parameter.dimension)
+                             : structures::value_of_word(parameter, word_of(entry, parameter));
+    structures::complete_parameters(*part.layout, {{parameter.name, value}});
+    part.choice->parameters[parameter.name] = value;
   }
 
   // --- what belongs together ----------------------------------------------------------------------
@@ -192,37 +229,62 @@ class Reader {
     }
   }
 
-  /// Builds it once: only the layout knows which values do not fit each other.
-  void complete_layout() {
+  /// Builds each once, then all of it: only layouts know which values do not fit each other.
+  void complete_layouts() {
+    for (Part& part : parts_) complete_layout(part);
+    if (!errors_.empty() || (scenario_.on.name.empty() && scenario_.beside.name.empty())) return;
     try {
-      structures::find_layout(scenario_.layout.name);
-      if (!errors_.empty()) return;
-      structures::build_layout(scenario_.layout.name, scenario_.layout.parameters);
-      scenario_.layout.parameters =
-          structures::complete_parameters(*layout_, scenario_.layout.parameters).all();
+      building_of(scenario_);
     } catch (const LayoutError& error) {
-      fail(place_of(error.subject), error.what());
+      const Entry* entry = find_entry(error.subject);
+      fail(entry ? entry->where : source_, error.what());
     }
   }
 
-  std::string place_of(const std::string& subject) const {
-    if (const Entry* entry = find_entry(layout_prefix + subject)) return entry->where;
-    if (const Entry* entry = find_entry("layout.name")) return entry->where;
+  void complete_layout(Part& part) {
+    LayoutChoice& choice = *part.choice;
+    if (choice.name.empty() && part.section != "layout") return;
+    if (!choice.file.empty()) return complete_file(choice);
+    try {
+      structures::find_layout(choice.name);
+      if (!errors_.empty()) return;
+      structures::build_layout(choice.name, choice.parameters);
+      choice.parameters = structures::complete_parameters(*part.layout, choice.parameters).all();
+    } catch (const LayoutError& error) {
+      fail(place_of(part, error.subject), error.what());
+    }
+  }
+
+  void complete_file(LayoutChoice& choice) {
+    choice.name.clear();
+    if (!errors_.empty()) return;
+    try {
+      load_building(choice.file);
+    } catch (const ScenarioError& error) {
+      errors_.insert(errors_.end(), error.messages().begin(), error.messages().end());
+    }
+  }
+
+  std::string place_of(const Part& part, const std::string& subject) const {
+    if (const Entry* entry = find_entry(part.section + "." + subject)) return entry->where;
+    if (const Entry* entry = find_entry(part.section + ".name")) return entry->where;
     return source_;
   }
 
   std::vector<Entry> entries_;
   std::string source_;
   RecordRule rule_;
-  const Layout* layout_ = nullptr;
   Scenario scenario_;
+  std::vector<Part> parts_{
+      {"layout", &scenario_.layout}, {"on", &scenario_.on}, {"beside", &scenario_.beside}};
   std::vector<LocatedMessage> errors_;
 };
 
 /// A path in a scenario file is meant from where that file lies.
-void find_record_beside(const std::filesystem::path& scenario_file, std::vector<Entry>& entries) {
+void find_files_beside(const std::filesystem::path& scenario_file, std::vector<Entry>& entries) {
   for (Entry& entry : entries) {
-    auto* text = entry.key == "record.file" ? std::get_if<std::string>(&entry.value) : nullptr;
+    const bool is_path = entry.key == "record.file" || entry.key == "layout.file";
+    auto* text = is_path ? std::get_if<std::string>(&entry.value) : nullptr;
     if (text && !text->empty()) *text = (scenario_file.parent_path() / *text).string();
   }
 }
@@ -244,7 +306,7 @@ Scenario load_scenario(const std::filesystem::path& path, const std::vector<Over
                        RecordRule rule) {
   const std::string text = load_text(path, "a scenario file");
   std::vector<Entry> entries = entries_of_toml(text, path.string());
-  find_record_beside(path, entries);
+  find_files_beside(path, entries);
   return read_entries(std::move(entries), path.string(), overrides, rule);
 }
 

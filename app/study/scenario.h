@@ -21,9 +21,21 @@ namespace dougong::app {
 
 struct LayoutChoice {
   std::string name = "four-storey";
+  std::string file = {};  // a building by hand instead: a scene file with storeys (building_scene.h)
   /// By name, SI. Complete once read: what was not given holds the layout's default.
   structures::ParameterMap parameters;
   friend bool operator==(const LayoutChoice&, const LayoutChoice&) = default;
+};
+
+/// A layout on a floor of the building; without a name there is none.
+struct ItemChoice : LayoutChoice {
+  double level = 1;    // its place among the levels, from 1
+  double place = 0.0;  // m, of its middle
+};
+
+/// A neighbour on the right; without a name there is none.
+struct NeighbourChoice : LayoutChoice {
+  double gap = 0.05;  // m, between the two
 };
 
 struct RecordChoice {
@@ -80,6 +92,8 @@ struct OutputChoice {
 
 struct Scenario {
   LayoutChoice layout;
+  ItemChoice on{{.name = "", .file = "", .parameters = {}}};
+  NeighbourChoice beside{{.name = "", .file = "", .parameters = {}}};
   RecordChoice record;
   Conditioning conditioning;
   SolveChoice solve;
@@ -88,6 +102,10 @@ struct Scenario {
   EnsembleChoice ensemble;
   OutputChoice output;
 };
+
+/// The building with what stands on it and beside it. Throws LayoutError, and ScenarioError for a file that
+/// is no building.
+structures::Building building_of(const Scenario& scenario);
 
 enum class RecordRule { required, optional };
 

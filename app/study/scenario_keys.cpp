@@ -51,6 +51,21 @@ std::vector<ScenarioKey> make_table() {
       text("layout.name", slot<&S::layout, &LayoutChoice::name>,
            "the building; the layout's own parameters are keys of this section too (docs/layouts.md)"),
 
+      text("layout.file", slot<&S::layout, &LayoutChoice::file>,
+           "a building by hand, a scene file that lists its storeys (docs/scene.md); instead of layout.name"),
+      text("on.name", slot<&S::on, &ItemChoice::name>,
+           "a layout that stands on a floor of the building, its parameters are keys of this section; empty: "
+           "none"),
+      number("on.level", slot<&S::on, &ItemChoice::level>, count, 1, 1e4,
+             "the floor, counted from the ground up"),
+      number("on.place", slot<&S::on, &ItemChoice::place>, length, -1e5, 1e5,
+             "where its middle stands, from the middle of the building"),
+
+      text("beside.name", slot<&S::beside, &NeighbourChoice::name>,
+           "a layout on the right of the building, its parameters are keys of this section; empty: none"),
+      number("beside.gap", slot<&S::beside, &NeighbourChoice::gap>, length, 0, 1e4,
+             "between the two, where they are nearest; they may pound"),
+
       text("record.file", slot<&S::record, &R::file>, "an accelerogram, by its path; or give record.name"),
       text("record.name", slot<&S::record, &R::name>, "a record of the catalogue; or give record.file"),
       text("record.component", slot<&S::record, &R::component>,

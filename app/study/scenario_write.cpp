@@ -15,13 +15,18 @@ std::string line(const std::string& name, const std::string& value, const std::s
   return fmt::format("{} = {}{}\n", name, value, comment);
 }
 
+std::string parameter_value(const structures::Parameter& parameter, double value) {
+  return parameter.choices.empty() ? toml_number(value, parameter.dimension)
+                                   : toml_text(print_value(parameter, value));
+}
+
 std::string parameter_lines(const LayoutChoice& choice, Comments comments) {
   const Layout& layout = structures::find_layout(choice.name);
   const auto values = structures::complete_parameters(layout, choice.parameters);
   std::string text;
   for (const structures::Parameter& parameter : layout.parameters)
-    text += line(parameter.name, toml_number(values(parameter.name), parameter.dimension), parameter.meaning,
-                 comments);
+    text +=
+        line(parameter.name, parameter_value(parameter, values(parameter.name)), parameter.meaning, comments);
   return text;
 }
 
@@ -33,7 +38,12 @@ std::string to_toml(const Scenario& scenario, Comments comments) {
     if (key.section() != section) text += fmt::format("{}[{}]\n", text.empty() ? "" : "\n", key.section());
     section = key.section();
     text += line(key.leaf(), toml_value(key, scenario), key.meaning, comments);
-    if (key.name == "layout.name") text += parameter_lines(scenario.layout, comments);
+    for (const auto& [last, choice] :
+         {std::pair<const char*, const LayoutChoice*>{"layout.file", &scenario.layout},
+          {"on.place", &scenario.on},
+          {"beside.gap", &scenario.beside}})
+      if (key.name == last && !choice->name.empty() && choice->file.empty())
+        text += parameter_lines(*choice, comments);
   }
   return text;
 }

@@ -101,6 +101,15 @@ struct BondChoice {
   double damping_ratio = engine::Bond{}.damping_ratio;
 };
 
+/// A storey of a building by hand (structures/building.h).
+struct StoreyChoice {
+  std::string name;
+  double base = 0.0, height = 0.0;  // m
+  std::vector<std::string> level;   // names of the blocks that are its level
+  std::vector<std::string> blocks;  // and of its other blocks
+  bool on_ground = false;
+};
+
 /// The integrator that accuracy chooses (engine/accuracy.h).
 struct SceneSolve : IntegrationChoice {
   double duration = 10.0;  // s
@@ -131,6 +140,7 @@ struct SceneDescription {
   std::vector<TerrainChoice> terrains;
   std::vector<JointChoice> joints;
   std::vector<BondChoice> bonds;
+  std::vector<StoreyChoice> storeys;
   engine::Fields fields;
   engine::ContactOptions contact;
   SceneSolve solve;

@@ -14,8 +14,9 @@
 namespace dougong::app {
 namespace {
 
-const std::vector<std::string> sections{"title", "gravity", "materials", "material_pair", "body",  "terrain",
-                                        "joint", "bond",    "fields",    "contact",       "solve", "output"};
+const std::vector<std::string> sections{"title",   "gravity", "materials", "material_pair", "body",
+                                        "terrain", "joint",   "bond",      "storey",        "fields",
+                                        "contact", "solve",   "output"};
 
 const std::vector<Entry>* items_of(const Entry& entry) {
   if (const auto* table = std::get_if<TableValue>(&entry.value)) return &table->items;
@@ -54,6 +55,7 @@ class Reader {
     if (section.key == "terrain") return read_list(section, d_.terrains);
     if (section.key == "joint") return read_list(section, d_.joints);
     if (section.key == "bond") return read_list(section, d_.bonds);
+    if (section.key == "storey") return read_list(section, d_.storeys);
     if (section.key == "fields") return read_table(section, d_.fields, "fields");
     if (section.key == "contact") return read_table(section, d_.contact, "contact");
     if (section.key == "solve") return read_table(section, d_.solve, "solve");
@@ -154,6 +156,7 @@ class Reader {
     name_list(d_.terrains, "terrain");
     name_list(d_.joints, "joint");
     name_list(d_.bonds, "bond");
+    name_list(d_.storeys, "storey");
   }
 
   void place_problems(const std::vector<SceneProblem>& problems) {
@@ -229,7 +232,8 @@ SceneDescription load_scene(const std::filesystem::path& path, const std::vector
 
 bool describes_a_scene(const std::string& text, const std::string& source) {
   const Entry root = entry_tree(text, source);
-  const std::set<std::string> of_scenarios{"layout", "record", "conditioning", "loss", "verdict"};
+  const std::set<std::string> of_scenarios{"layout",       "on",   "beside", "record",
+                                           "conditioning", "loss", "verdict"};
   return std::ranges::none_of(*items_of(root),
                               [&](const Entry& entry) { return of_scenarios.contains(entry.key); });
 }

@@ -1,7 +1,7 @@
 // Scene files: a free scene in TOML, read into a SceneDescription and written back.
 //
-//   [materials.NAME]  [[material_pair]]  [[body]]  [[terrain]]  [fields]  [[joint]]  [[bond]]  [contact]
-//   [solve]  [output], and title and gravity outside any table
+//   [materials.NAME]  [[material_pair]]  [[body]]  [[terrain]]  [fields]  [[joint]]  [[bond]]  [[storey]]
+//   [contact]  [solve]  [output], and title and gravity outside any table
 //
 // Every value with a dimension is text with its unit. All errors are collected and thrown together, each with
 // file, line and column. docs/scene.md lists the keys.

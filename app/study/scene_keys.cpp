@@ -200,8 +200,10 @@ std::vector<Key<JointChoice>> joint_keys() {
       value<J>("at", AT(J, at), length, "where both anchors are at the start, in the scene"),
       value<J>("anchor_a", AT(J, anchor_a), length, "in the frame of a, from its centroid, instead of at"),
       value<J>("anchor_b", AT(J, anchor_b), length, "in the frame of b, from its centroid, instead of at"),
-      number<J>("stiffness", AT(J, stiffness), Dimension::stiffness, above_zero, endless,
-                "of a spring; of the others none: the Young's moduli times thickness, in series"),
+      number<J>(
+          "stiffness", AT(J, stiffness), Dimension::stiffness, 0, endless,
+          "of a spring, 0 for a dashpot alone; of the others above 0, or none: the Young's moduli times "
+          "thickness, in series"),
       number<J>("rotational_stiffness", AT(J, rotational_stiffness), Dimension::rotational_stiffness,
                 above_zero, endless, "of a weld; none: stiffness times width2/12 of the slimmer body"),
       number<J>("damping", AT(J, damping), Dimension::damping, 0, endless,
@@ -235,6 +237,21 @@ std::vector<Key<BondChoice>> bond_keys() {
       number<B>("yield_strength", AT(B, yield_strength), pressure, above_zero, endless,
                 "ductile, in tension, if below the tensile strength; none: does not yield"),
       number<B>("damping_ratio", AT(B, damping_ratio), ratio, 0, 1e3, "local"),
+  };
+}
+
+std::vector<Key<StoreyChoice>> storey_keys() {
+  using S = StoreyChoice;
+  return {
+      text<S>("name", AT(S, name), "empty: storey and its number"),
+      number<S>("base", AT(S, base), length, -endless, endless, "elevation of the level below"),
+      number<S>("height", AT(S, height), length, above_zero, endless, "to its own level"),
+      text<S>("level", AT(S, level), "names of the bodies whose mean displacement is the level's"),
+      text<S>("blocks", AT(S, blocks), "names of the other bodies of the storey"),
+      {{.name = "on_ground",
+        .meaning = "the first storey of a neighbour: not on the one before it",
+        .choices = {}},
+       AT(S, on_ground)},
   };
 }
 
@@ -355,6 +372,7 @@ KEYS_OF(MotionChoice, motion_keys)
 KEYS_OF(HarmonicChoice, harmonic_keys)
 KEYS_OF(JointChoice, joint_keys)
 KEYS_OF(BondChoice, bond_keys)
+KEYS_OF(StoreyChoice, storey_keys)
 KEYS_OF(engine::Fields, field_keys)
 KEYS_OF(engine::ContactOptions, contact_keys)
 KEYS_OF(SceneSolve, solve_keys)
@@ -374,6 +392,7 @@ std::vector<DocumentedKey> documented_scene_keys() {
   document<engine::Fields>("fields", all);
   document<JointChoice>("joint", all);
   document<BondChoice>("bond", all);
+  document<StoreyChoice>("storey", all);
   document<engine::ContactOptions>("contact", all);
   document<SceneSolve>("solve", all);
   document<SceneOutput>("output", all);

@@ -43,6 +43,8 @@ std::span<const Key<JointChoice>> keys_of<JointChoice>();
 template <>
 std::span<const Key<BondChoice>> keys_of<BondChoice>();
 template <>
+std::span<const Key<StoreyChoice>> keys_of<StoreyChoice>();
+template <>
 std::span<const Key<engine::Fields>> keys_of<engine::Fields>();
 template <>
 std::span<const Key<engine::ContactOptions>> keys_of<engine::ContactOptions>();

@@ -241,25 +241,6 @@ PreparedScene prepare_scene(const SceneDescription& description,
   return p;
 }
 
-namespace {
-
-struct DescribedPose {
-  Vec2 position;
-  double angle;
-};
-
-DescribedPose pose_of(engine::Owner owner, const engine::Scene& scene) {
-  if (owner.terrain) return {scene.terrains[owner.index].position, scene.terrains[owner.index].angle};
-  return {scene.bodies[owner.index].position, scene.bodies[owner.index].angle};
-}
-
-DrawnBond drawn_bond(const engine::Bond& bond, std::size_t owner, const DescribedPose& pose) {
-  const auto local = [&](Vec2 place) { return engine::rotated(place - pose.position, -pose.angle); };
-  return {bond.name, owner, local(bond.start), local(bond.end)};
-}
-
-}  // namespace
-
 ModelSheet scene_sheet(const SceneDescription& description, const engine::Scene& scene) {
   ModelSheet sheet;
   sheet.free_scene = true;
@@ -271,12 +252,7 @@ ModelSheet scene_sheet(const SceneDescription& description, const engine::Scene&
     sheet.mass += sheet.blocks.back().mass;
   }
   for (const engine::Terrain& terrain : scene.terrains) sheet.terrains.push_back(drawn_shape(terrain, scene));
-  sheet.bonds = scene.bonds.size();
-  const auto place = [&](engine::Owner o) { return o.terrain ? scene.bodies.size() + o.index : o.index; };
-  for (const engine::Bond& bond : scene.bonds)
-    sheet.bonded.push_back(drawn_bond(bond, place(bond.b), pose_of(bond.b, scene)));
-  for (const engine::Joint& joint : scene.joints)
-    sheet.links.push_back({place(joint.a), place(joint.b), joint.anchor_a, joint.anchor_b});
+  draw_connections(scene, sheet);
   return sheet;
 }
 

@@ -69,7 +69,8 @@ std::string to_toml(const SceneDescription& d) {
   for (const MaterialChoice& material : d.materials)
     text += fmt::format("\n[materials.{}]\n{}", toml_key(material.name), lines_of(material));
   text += list_text("material_pair", d.material_pairs) + list_text("body", d.bodies) +
-          list_text("terrain", d.terrains) + list_text("joint", d.joints) + list_text("bond", d.bonds);
+          list_text("terrain", d.terrains) + list_text("joint", d.joints) + list_text("bond", d.bonds) +
+          list_text("storey", d.storeys);
   return text + table_text("fields", d.fields) + table_text("contact", d.contact) +
          table_text("solve", d.solve) + table_text("output", d.output);
 }

@@ -17,7 +17,9 @@ bool is_size(double value) {
 }
 
 void check(const Joint& joint) {
-  require(joint.stiffness > 0.0 && std::isfinite(joint.stiffness), joint, "stiffness must be positive");
+  const bool dashpot = joint.kind == JointKind::spring && joint.damping && joint.stiffness == 0.0;
+  require((joint.stiffness > 0.0 || dashpot) && std::isfinite(joint.stiffness), joint,
+          "stiffness must be positive");
   require(is_size(joint.rotational_stiffness), joint, "rotational stiffness must not be negative");
   require(joint.kind != JointKind::weld || joint.rotational_stiffness > 0.0, joint,
           "a weld needs a rotational stiffness");

@@ -329,8 +329,12 @@ void ContactSet::hand_over(std::span<const Frame> frames, const Heir& heir) {
   double now = 0.0, taken = 0.0;
   each([&](ContactPair& pair) { now += energy_of(points, pair.first_point, frames); });
   if (now == 0.0) return;
+  // A corner beyond the bond's points may overlap where they were relaxed: softened without end it would
+  // sink.
+  constexpr double least_part = 0.25;
+  const double part = std::max(heir.energy / now, least_part);
   each([&](ContactPair& pair) {
-    harden(pair, pair.hardening * heir.energy / now);
+    harden(pair, pair.hardening * part);
     for (const std::size_t i : {pair.first_point + 0u, pair.first_point + 1u}) {
       const PointGeometry g = geometry_of(points, i, frames);
       if (g.overlap > 0.0)

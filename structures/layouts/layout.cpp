@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/material_presets.h"
+#include "structures/layouts/fittings.h"
+#include "structures/layouts/parts.h"
 #include "structures/nearest_name.h"
 
 namespace dougong::structures {
@@ -26,8 +29,15 @@ LayoutError unknown(const std::string& subject, const std::string& kind, const s
           nearest_name(found, names)};
 }
 
+void check_word(const Parameter& parameter, double value) {
+  if (value >= 0.0 && value <= parameter.most && value == std::floor(value)) return;
+  throw LayoutError(parameter.name, fmt::format("one of {}", fmt::join(parameter.choices, ", ")),
+                    print_number(value));
+}
+
 void check_value(const Parameter& parameter, double value) {
   const auto print = [&](double v) { return print_value(v, parameter.dimension); };
+  if (!parameter.choices.empty()) return check_word(parameter, value);
   const bool within = parameter.least <= value && value <= parameter.most;  // false for NaN
   const bool whole = parameter.dimension != Dimension::count || value == std::floor(value);
   if (within && whole) return;
@@ -37,7 +47,49 @@ void check_value(const Parameter& parameter, double value) {
                     print(value));
 }
 
+/// What a chosen material says takes the place of the layout's own defaults.
+void take_material(const Layout& layout, const ParameterMap& given, ParameterMap& values) {
+  const Parameter* chosen = layout.parameter("material");
+  const auto it = given.find("material");
+  if (!chosen || it == given.end() || it->second == 0.0) return;
+  check_value(*chosen, it->second);
+  const auto* preset = engine::find_material_preset(chosen->choices[static_cast<std::size_t>(it->second)]);
+  values["young_modulus"] = preset->material.young_modulus;
+  values["density"] = preset->material.density;
+  values["friction"] = preset->material.friction_coefficient;
+  values["damping_ratio"] = preset->material.damping_ratio;
+}
+
+std::map<std::string, std::string> words_of(const Layout& layout, const ParameterMap& values) {
+  std::map<std::string, std::string> words;
+  for (const Parameter& parameter : layout.parameters)
+    if (!parameter.choices.empty()) words[parameter.name] = print_value(parameter, values.at(parameter.name));
+  return words;
+}
+
 }  // namespace
+
+Parameter choice(std::string name, std::vector<std::string> words, std::string meaning) {
+  const double last = static_cast<double>(words.size()) - 1.0;
+  return {std::move(name), Dimension::count, 0.0, 0.0, last, std::move(meaning), std::move(words)};
+}
+
+std::string kind_of(const Parameter& parameter) {
+  return parameter.choices.empty() ? std::string(name_of(parameter.dimension))
+                                   : fmt::format("one of {}", fmt::join(parameter.choices, ", "));
+}
+
+std::string print_value(const Parameter& parameter, double value) {
+  return parameter.choices.empty() ? print_value(value, parameter.dimension)
+                                   : parameter.choices.at(static_cast<std::size_t>(value));
+}
+
+double value_of_word(const Parameter& parameter, const std::string& word) {
+  const auto it = std::ranges::find(parameter.choices, word);
+  if (it != parameter.choices.end()) return static_cast<double>(it - parameter.choices.begin());
+  throw LayoutError(parameter.name, kind_of(parameter), "\"" + word + "\"",
+                    nearest_name(word, parameter.choices));
+}
 
 LayoutError::LayoutError(std::string subject_, std::string expected_, std::string found_,
                          std::string nearest_)
@@ -52,31 +104,38 @@ const Parameter* Layout::parameter(const std::string& wanted) const {
   return it == parameters.end() ? nullptr : &*it;
 }
 
-const Layout& find_layout(const std::string& name) {
+const Layout* known_layout(const std::string& name) {
   const auto it = std::ranges::find(layouts(), name, &Layout::name);
-  if (it == layouts().end()) throw unknown("layout", "a known layout", name, layouts());
-  return *it;
+  return it == layouts().end() ? nullptr : &*it;
+}
+
+const Layout& find_layout(const std::string& name) {
+  const Layout* known = known_layout(name);
+  if (!known) throw unknown("layout", "a known layout", name, layouts());
+  return *known;
 }
 
 ParameterValues complete_parameters(const Layout& layout, const ParameterMap& given) {
   ParameterMap values;
   for (const Parameter& parameter : layout.parameters) values[parameter.name] = parameter.standard;
+  take_material(layout, given, values);
   for (const auto& [name, value] : given) {
     const Parameter* parameter = layout.parameter(name);
     if (!parameter) throw unknown("layout " + layout.name, "one of its parameters", name, layout.parameters);
     check_value(*parameter, value);
     values[name] = value;
   }
-  return ParameterValues(std::move(values));
+  auto words = words_of(layout, values);
+  return {std::move(values), std::move(words)};
 }
 
 Building build_layout(const std::string& name, const ParameterMap& parameters) {
   const Layout& layout = find_layout(name);
   const ParameterValues values = complete_parameters(layout, parameters);
-  Building building = layout.generate(values);
+  Building building = fitted(layout.generate(values), values);
   building.layout = layout.name;
   for (const Parameter& parameter : layout.parameters)
-    building.parameters[parameter.name] = print_value(values(parameter.name), parameter.dimension);
+    building.parameters[parameter.name] = print_value(parameter, values(parameter.name));
   return building;
 }
 

@@ -2,7 +2,11 @@
 //
 // Every layout is one row of layouts(): its name, what it is, how it is counted into storeys, its
 // parameters (with dimension, default, range and meaning) and the function that places the blocks.
-// Values arrive in SI; the dimension says how they are printed and read at the border.
+// Values arrive in SI; the dimension says how they are printed and read at the border. A parameter with
+// choices takes one of their words; its value is the place of that word among them.
+//
+// Every layout also has the parameters of the fittings (fittings.h): isolation and dampers, which are built
+// into whatever the generator made.
 //
 // Adding a layout: one file that defines it, one line in layouts.cpp, one section in docs/layouts.md.
 #pragma once
@@ -11,6 +15,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "structures/building.h"
@@ -24,21 +29,34 @@ struct Parameter {
   double standard = 0.0;  // the default, SI
   double least = 0.0;     // SI, allowed range, both ends included
   double most = 0.0;
-  std::string meaning;  // one line
+  std::string meaning;                    // one line
+  std::vector<std::string> choices = {};  // words; empty: a number
 };
+
+/// A parameter that takes one of these words, the first unless told otherwise.
+Parameter choice(std::string name, std::vector<std::string> words, std::string meaning);
+/// "length", "one of running, stack, English".
+std::string kind_of(const Parameter& parameter);
+/// The word, or the number with its unit. For a choice the value must be the place of a word.
+std::string print_value(const Parameter& parameter, double value);
 
 using ParameterMap = std::map<std::string, double>;  // SI
 
 /// A complete set of values: one for every parameter of the layout, each within its range.
 class ParameterValues {
  public:
-  explicit ParameterValues(ParameterMap values) : values_(std::move(values)) {}
+  ParameterValues(ParameterMap values, std::map<std::string, std::string> words)
+      : values_(std::move(values)), words_(std::move(words)) {}
   double operator()(const std::string& name) const { return values_.at(name); }
   std::size_t count(const std::string& name) const { return static_cast<std::size_t>(values_.at(name)); }
+  /// Of a choice.
+  const std::string& word(const std::string& name) const { return words_.at(name); }
+  bool is(const std::string& name, std::string_view word) const { return words_.at(name) == word; }
   const ParameterMap& all() const { return values_; }
 
  private:
   ParameterMap values_;
+  std::map<std::string, std::string> words_;
 };
 
 struct Layout {
@@ -64,12 +82,17 @@ class LayoutError : public std::invalid_argument {
 };
 
 std::span<const Layout> layouts();
+/// Null for a name that is none of theirs, as of a building by hand.
+const Layout* known_layout(const std::string& name);
 /// Throws LayoutError for an unknown name.
 const Layout& find_layout(const std::string& name);
-/// The given values completed by the defaults. Throws LayoutError for an unknown parameter, a value
-/// that is not finite or out of range, or a count that is not whole.
+/// The given values completed by the defaults; where a material is chosen, by what it says. Throws
+/// LayoutError for an unknown parameter, a value that is not finite or out of range, or a count that is not
+/// whole.
 ParameterValues complete_parameters(const Layout& layout, const ParameterMap& given);
 /// Throws what complete_parameters throws, and LayoutError for values that do not fit each other.
 Building build_layout(const std::string& name, const ParameterMap& parameters = {});
+/// A parameter's value from its word. Throws LayoutError for a word that is none of its choices.
+double value_of_word(const Parameter& parameter, const std::string& word);
 
 }  // namespace dougong::structures

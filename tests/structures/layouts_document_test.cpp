@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <vector>
 
+#include "structures/layouts/fittings.h"
 #include "structures/layouts/layout.h"
 
 namespace dougong::structures {
@@ -21,15 +23,27 @@ std::vector<std::string> facts_of_document() {
   return facts;
 }
 
+std::string range_of(const Parameter& p) {
+  return p.choices.empty() ? fmt::format("{} to {}", print_value(p, p.least), print_value(p, p.most)) : "";
+}
+
+std::string row_of(const Parameter& p) {
+  return fmt::format("| `{}` | {} | {} | {} | {} |", p.name, kind_of(p), print_value(p, p.standard),
+                     range_of(p), p.meaning);
+}
+
+bool is_fitting(const Parameter& p) {
+  return std::ranges::find(fitting_parameters(), p.name, &Parameter::name) != fitting_parameters().end();
+}
+
 std::vector<std::string> facts_of_table() {
   std::vector<std::string> facts;
+  for (const Parameter& p : fitting_parameters()) facts.push_back(row_of(p));
   for (const Layout& layout : layouts()) {
     facts.push_back(fmt::format("## `{}`: {}", layout.name, layout.summary));
     facts.push_back("Storeys: " + layout.counting);
     for (const Parameter& p : layout.parameters)
-      facts.push_back(fmt::format("| `{}` | {} | {} | {} to {} | {} |", p.name, name_of(p.dimension),
-                                  print_value(p.standard, p.dimension), print_value(p.least, p.dimension),
-                                  print_value(p.most, p.dimension), p.meaning));
+      if (!is_fitting(p)) facts.push_back(row_of(p));
   }
   return facts;
 }

@@ -105,7 +105,9 @@ TEST_P(EveryLayout, PrintsItsParametersWithUnits) {
   const Building building = build_layout(GetParam());
   EXPECT_EQ(building.layout, GetParam());
   EXPECT_EQ(building.parameters.size(), find_layout(GetParam()).parameters.size());
-  EXPECT_EQ(building.parameters.at("thickness"), "1 m");
+  const double thickness = find_layout(GetParam()).parameter("thickness")->standard;
+  EXPECT_EQ(building.parameters.at("thickness"), print_value(thickness, Dimension::length));
+  EXPECT_EQ(building.parameters.at("isolation"), "none");
   EXPECT_THAT(building.parameters.at("young_modulus"), HasSubstr(" GPa"));
 }
 
@@ -124,6 +126,7 @@ TEST_P(EveryLayout, PassesItsMaterialOn) {
                                                       {"damping_ratio", 0.2},
                                                       {"thickness", 0.4}});
   for (const engine::Body& body : building.scene.bodies) {
+    if (body.material > 0) continue;  // parts with a material of their own
     const engine::Material& material = building.scene.materials.at(body.material);
     EXPECT_EQ(material.young_modulus, 7e9);
     EXPECT_EQ(material.density, 1234.0);
@@ -131,6 +134,17 @@ TEST_P(EveryLayout, PassesItsMaterialOn) {
     EXPECT_EQ(material.damping_ratio, 0.2);
     EXPECT_EQ(body.thickness, 0.4);
   }
+}
+
+TEST_P(EveryLayout, TakesAMaterialByItsName) {
+  const Parameter& material = *find_layout(GetParam()).parameter("material");
+  const Building building = build_layout(GetParam(), {{"material", value_of_word(material, "timber")}});
+  EXPECT_EQ(building.scene.materials.front().name, "timber");
+  EXPECT_EQ(building.scene.materials.front().density, 420.0);
+  EXPECT_EQ(building.parameters.at("young_modulus"), "11 GPa");
+  const Building heavy =
+      build_layout(GetParam(), {{"material", value_of_word(material, "timber")}, {"density", 700.0}});
+  EXPECT_EQ(heavy.scene.materials.front().density, 700.0) << "a value goes before the preset";
 }
 
 TEST(FourStorey, HasTheOriginalDimensions) {

@@ -285,8 +285,8 @@ TEST(Overrides, DropWhatTheyExclude) {
 }
 
 TEST(Overrides, SayWhatIsAmbiguous) {
-  EXPECT_THAT(errors("", set({"name=x"})),
-              ElementsAre("--set name=x: \"name\" may be layout.name or record.name; write it in full"));
+  EXPECT_THAT(errors("", set({"name=x"})), ElementsAre("--set name=x: \"name\" may be layout.name or on.name "
+                                                       "or beside.name or record.name; write it in full"));
   EXPECT_THAT(errors("", set({"interval=1 s"})),
               ElementsAre(HasSubstr("record.interval or conditioning.interval")));
 }

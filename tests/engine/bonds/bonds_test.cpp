@@ -349,6 +349,27 @@ TEST(Bonds, ThatBreakUnderShakingKeepTheLedger) {
   EXPECT_NEAR(e.balance(), start, 0.02 * e.input);
 }
 
+// Torn off while it turns: both points are pulled when the first breaks, so they store nothing in
+// compression, but the corner beyond them overlaps. It must bear the block when it comes down.
+TEST(Bond, ThatTearsWhileItsCornerIsPressedLeavesTheCornerHard) {
+  Scene s = scenes::scene(0.6, 1e9);
+  s.bodies.push_back(scenes::block(0.5, 0.5, {0.0, 0.5}));
+  s.bodies[0].velocity = {0.0, 0.2};
+  s.bodies[0].spin = 0.5;
+  s.terrains.push_back(scenes::ground(20.0));
+  Bond b;
+  b.name = "torn";
+  b.a = {true, 0}, b.b = {false, 0};
+  b.start = {-0.5, 0.0}, b.end = {0.5, 0.0};
+  b.tensile_strength = 1e4;
+  s.bonds.push_back(b);
+  Running r(s);
+  const RunOutcome end = r.run(run_for(1.0));
+  ASSERT_EQ(end.outcome, Outcome::completed) << end.detail;
+  EXPECT_GE(r.state.bonds.broken, 1u);
+  EXPECT_LT(r.state.deepest_ratio, 1e-3) << "of a block 1 m wide that comes down at 0.2 m/s";
+}
+
 TEST(Bonds, KeepMomentumAndEnergy) {
   Cantilever c;
   c.count = 4;
