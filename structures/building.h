@@ -18,6 +18,7 @@ struct Storey {
   double height = 0.0;                     // m, original height h_i
   std::vector<std::size_t> level_blocks;   // blocks whose mean displacement is the level's
   std::vector<std::size_t> storey_blocks;  // every block of the storey, level blocks included
+  bool is_base = false;                    // of isolators: it is displaced, and does not drift
   bool stands_on_ground = false;           // the first of a neighbour: not on the storey before it
 };
 

@@ -132,6 +132,7 @@ StoreyResponse storey_response(const Run& run, std::size_t index, const StoreyRe
   StoreyResponse response;
   response.name = storey.name;
   response.height = storey.height;
+  response.is_base = storey.is_base;
   add_floor_histories(run, storey, loss.step, response);
   add_drift(run, below, loss.step, response);
   add_mass_lost(run, storey, response);
@@ -219,14 +220,17 @@ Lean greatest_lean(const Run& run) {
 
 const StoreyResponse* storey_of_peak_drift(const Response& response) {
   const auto magnitude = [](const StoreyResponse& s) { return std::abs(s.peak_drift.largest().value); };
-  const auto worst = std::ranges::max_element(response.storeys, {}, magnitude);
-  return worst == response.storeys.end() ? nullptr : &*worst;
+  const StoreyResponse* worst = nullptr;
+  for (const StoreyResponse& storey : response.storeys)
+    if (!storey.is_base && (!worst || magnitude(storey) > magnitude(*worst))) worst = &storey;
+  return worst;
 }
 
 const StoreyResponse* storey_of_residual_drift(const Response& response) {
   const StoreyResponse* worst = nullptr;
   for (const StoreyResponse& storey : response.storeys)
-    if (!storey.lost_at && (!worst || std::abs(storey.residual_drift) > std::abs(worst->residual_drift)))
+    if (!storey.is_base && !storey.lost_at &&
+        (!worst || std::abs(storey.residual_drift) > std::abs(worst->residual_drift)))
       worst = &storey;
   return worst;
 }

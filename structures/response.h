@@ -81,6 +81,7 @@ struct Envelope {
 struct StoreyResponse {
   std::string name;
   double height = 0.0;                     // m
+  bool is_base = false;                    // of isolators: no interstorey drift counts there
   std::vector<double> drift;               // nt, -, frozen once lost
   std::vector<double> floor_displacement;  // nt, m, relative to the ground
   std::vector<double> floor_acceleration;  // nt, m/s2, absolute

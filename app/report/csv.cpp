@@ -80,6 +80,15 @@ std::string roof_and_base_shear_csv(const RunResult& run) {
       r.times.size());
 }
 
+std::string damage_csv(const RunResult& run) {
+  const auto time = [](double t) { return t < DrawnBond::never ? exact(t) : std::string(); };
+  std::string text = "bond,storey,mode,cracked (s),broken (s)\n";
+  for (const DrawnBond& bond : run.model.bonded)
+    text += csv_text(bond.name) + "," + csv_text(storey_of(run.model, bond)) + "," + bond.mode + "," +
+            time(bond.cracked) + "," + time(bond.broken) + "\n";
+  return text;
+}
+
 std::string energy_csv(const RunResult& run) {
   const EnergyHistory& e = run.energy;
   std::vector<Column> columns{numbers("time (s)", run.trajectory.times), numbers("input (J)", e.input),

@@ -15,6 +15,8 @@ std::string csv_text(const std::string& text);
 std::string drift_csv(const RunResult& run);         // time; drift and lost of every storey
 std::string acceleration_csv(const RunResult& run);  // time; absolute floor acceleration and lost
 std::string roof_and_base_shear_csv(const RunResult& run);
+/// Each bond with its storey, and how and when it cracked and broke.
+std::string damage_csv(const RunResult& run);
 std::string energy_csv(const RunResult& run);
 std::string motion_csv(const RunResult& run);
 

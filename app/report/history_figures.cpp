@@ -89,10 +89,16 @@ void add_vertical(Stack& stack, const MotionSheet& m) {
       m.times, {"Vertical acc. (g)", &m.acceleration_y, acceleration_unit(), "g"}, category(0), 110));
 }
 
+std::vector<std::size_t> drifting_storeys(const std::vector<StoreyResponse>& storeys) {
+  std::vector<std::size_t> all(storeys.size());
+  std::iota(all.begin(), all.end(), 0u);
+  std::erase_if(all, [&](std::size_t i) { return storeys[i].is_base; });
+  return all;
+}
+
 /// Storeys to draw, top first; all, or those with the largest peaks.
 std::vector<std::size_t> drawn_storeys(const std::vector<StoreyResponse>& storeys) {
-  std::vector<std::size_t> chosen(storeys.size());
-  std::iota(chosen.begin(), chosen.end(), 0u);
+  std::vector<std::size_t> chosen = drifting_storeys(storeys);
   const auto size = [&](std::size_t i) { return std::abs(storeys[i].peak_drift.largest().value); };
   std::stable_sort(chosen.begin(), chosen.end(), [&](auto a, auto b) { return size(a) > size(b); });
   chosen.resize(std::min(chosen.size(), most_storeys));
@@ -210,9 +216,8 @@ Figure drift_histories_figure(const RunResult& run) {
   const auto& storeys = run.response.storeys;
   const auto chosen = drawn_storeys(storeys);
   std::string title = "Interstorey drift ratio, θ (%)";
-  if (chosen.size() < storeys.size()) {
-    title += fmt::format(": the {} of {} storeys that drift most", chosen.size(), storeys.size());
-  }
+  if (const std::size_t all = drifting_storeys(storeys).size(); chosen.size() < all)
+    title += fmt::format(": the {} of {} storeys that drift most", chosen.size(), all);
   Stack stack{title, run_line(run), "Time, t (s)", time_range(run.response.times), {}, 30};
   for (const std::size_t i : chosen)
     stack.panels.push_back(drift_panel(run, i, chosen.size() > 6 ? 78 : 104));

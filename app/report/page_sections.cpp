@@ -1,6 +1,8 @@
 // The sections of the report after the answer.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include <cmath>
 
 #include "app/report/page.h"
@@ -79,6 +81,7 @@ std::string lost_words(const StoreyResponse& s) {
 Html drift_table(const RunResult& run) {
   std::vector<std::vector<std::string>> rows;
   for (auto s = run.response.storeys.rbegin(); s != run.response.storeys.rend(); ++s) {
+    if (s->is_base) continue;
     const auto& [plus, minus] = s->peak_drift;
     rows.push_back({s->name, signed_fixed(100 * plus.value, 3), drift_fraction(plus.value),
                     fixed(plus.time, 2), signed_fixed(100 * minus.value, 3), drift_fraction(minus.value),
@@ -97,6 +100,20 @@ Html drift_table(const RunResult& run) {
        {"Residual", "%"},
        {"State", ""}},
       rows);
+}
+
+// Of isolators: how far the building went over them.
+Html base_words(const RunResult& run) {
+  Html out;
+  for (const auto& storey : run.response.storeys) {
+    if (!storey.is_base || storey.floor_displacement.empty()) continue;
+    const auto [least, most] = std::ranges::minmax(storey.floor_displacement);
+    out += paragraph(
+        storey.name + ": displaced over the ground by " + displacement(most) + " and " + displacement(least) +
+        ", " + displacement(storey.floor_displacement.back()) +
+        " at the end. It is the level of the isolators; the drifts are those of the storeys above.");
+  }
+  return out;
 }
 
 Html acceleration_table(const RunResult& run) {
@@ -239,7 +256,7 @@ Html page_motion(const RunResult& run, const std::vector<Picture>& pictures) {
 
 Html page_response(const RunResult& run, const std::vector<Picture>& pictures) {
   Html out = run.response.storeys.empty() ? paragraph("The building has no storeys, so no drift is measured.")
-                                          : drift_table(run) + acceleration_table(run);
+                                          : drift_table(run) + base_words(run) + acceleration_table(run);
   out += building_table(run) + heading3("Blocks lost") + loss_table(run);
   out += plot(pictures, "drift_histories",
               "Each storey on its own axis, all on one time axis. A lost storey's drift is frozen at its "

@@ -32,7 +32,7 @@ std::vector<Level> levels_of(const RunResult& run) {
   for (std::size_t i = 0; i < run.response.storeys.size(); ++i) {
     const StoreyResponse& storey = run.response.storeys[i];
     if (i < run.model.storeys.size()) base = run.model.storeys[i].base;
-    levels.push_back({base, base + storey.height, &storey});
+    if (!storey.is_base) levels.push_back({base, base + storey.height, &storey});
     base += storey.height;
   }
   return levels;

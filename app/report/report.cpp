@@ -45,6 +45,7 @@ void write_tables(const RunResult& run, Output& output) {
   output.write("acceleration.csv", acceleration_csv(run));
   output.write("roof_and_base_shear.csv", roof_and_base_shear_csv(run));
   output.write("energy.csv", energy_csv(run));
+  if (!run.model.bonded.empty()) output.write("damage.csv", damage_csv(run));
   output.write("motion.csv", motion_csv(run));
 }
 

@@ -1,7 +1,8 @@
 // The one list of what a results file holds: group, name and unit of every field of a RunResult. The
 // writer and the reader both walk it, so they cannot disagree.
 //
-// An Archive has group(name, inner), optional_group(name, inner) for what older files lack, field(name, unit,
+// An Archive has group(name, inner), optional_group(name, inner) and
+// optional_field(...) for what older files lack, field(name, unit,
 // value), matrix(name, unit, values, shape), rows(name, list, inner) for numbered groups and column(name,
 // unit, list, member) for tables.
 #pragma once
@@ -47,6 +48,23 @@ void walk_model(A& a, R& model) {
     a.column("height", "m", model.storeys, &StoreySheet::height);
     a.column("mass", "kg", model.storeys, &StoreySheet::mass);
     a.column("blocks", "", model.storeys, &StoreySheet::blocks);
+  });
+  a.optional_group("connections", [&] {
+    a.table("bonds", model.bonded, [&] {
+      a.column("name", "", model.bonded, &DrawnBond::name);
+      a.column("owner", "", model.bonded, &DrawnBond::owner);
+      a.column("start", "m", model.bonded, &DrawnBond::start);
+      a.column("end", "m", model.bonded, &DrawnBond::end);
+      a.column("cracked", "s", model.bonded, &DrawnBond::cracked);
+      a.column("broken", "s", model.bonded, &DrawnBond::broken);
+      a.column("mode", "", model.bonded, &DrawnBond::mode);
+    });
+    a.table("joints", model.links, [&] {
+      a.column("a", "", model.links, &DrawnLink::a);
+      a.column("b", "", model.links, &DrawnLink::b);
+      a.column("anchor_a", "m", model.links, &DrawnLink::anchor_a);
+      a.column("anchor_b", "m", model.links, &DrawnLink::anchor_b);
+    });
   });
   a.field("mass", "kg", model.mass);
   a.field("bonds", "", model.bonds);
@@ -102,6 +120,7 @@ template <class A, class S>
 void walk_storey(A& a, S& storey) {
   a.field("name", "", storey.name);
   a.field("height", "m", storey.height);
+  a.optional_field("is_base", "", storey.is_base);
   a.field("drift", "1", storey.drift);
   a.field("floor_displacement", "m", storey.floor_displacement);
   a.field("floor_acceleration", "m/s2", storey.floor_acceleration);
@@ -148,6 +167,7 @@ void walk_energy(A& a, R& energy) {
   a.field("elastic", "J", energy.elastic);
   a.field("friction", "J", energy.friction);
   a.field("damping", "J", energy.damping);
+  a.optional_field("fracture", "J", energy.fracture);
   a.field("error", "J", energy.error);
   a.field("largest_input", "J", energy.largest_input);
   a.field("relative_error", "1", energy.relative_error);

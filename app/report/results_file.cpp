@@ -38,6 +38,10 @@ class Reader {
     inner();
     here_ = above;
   }
+  template <class T>
+  void optional_field(const std::string& name, const char* unit, T& value) {
+    if (h5::has(here_, name)) field(name, unit, value);
+  }
   template <class Inner>
   void optional_group(const std::string& name, Inner inner) {
     if (h5::has(here_, name)) group(name, inner);

@@ -177,7 +177,7 @@ RunResult execute(Preparation& p, const std::string& command, const ProgressObse
 
   const structures::Verdict early_verdict = stands(p) ? structures::Verdict{} : verdict_before_shaking(p);
   const Stopwatch watch;
-  Recorder recorder(p);
+  Recorder recorder(p, result.model.bonded);
   const engine::RunOutcome run = shake(p, recorder, progress);
   result.reproducibility.wall_seconds = watch.wall();
   result.reproducibility.cpu_seconds = watch.cpu();
@@ -189,6 +189,7 @@ RunResult execute(Preparation& p, const std::string& command, const ProgressObse
   result.verdict = stands(p) ? structures::judge(result.response, evidence_of(result.numerics, run, recorder),
                                                  p.scenario.verdict)
                              : early_verdict;
+  result.model.bonded = std::move(recorder.bonds);
   result.trajectory = std::move(recorder.trajectory);
   result.energy = std::move(recorder.energies.energy);
   result.energy.standing_error = standing_error(result.energy, result.response);

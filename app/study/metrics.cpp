@@ -16,7 +16,8 @@ double size_of(const structures::Envelope& envelope) {
 template <class Value>
 double largest(const Response& response, Value value) {
   double most = 0.0;
-  for (const StoreyResponse& storey : response.storeys) most = std::max(most, value(storey));
+  for (const StoreyResponse& storey : response.storeys)
+    if (!storey.is_base) most = std::max(most, value(storey));
   return most;
 }
 

@@ -81,6 +81,11 @@ std::vector<std::string> missing_terms(const Preparation& p) {
 
 }  // namespace
 
+std::string storey_of(const ModelSheet& model, const DrawnBond& bond) {
+  const int storey = bond.owner < model.blocks.size() ? model.blocks[bond.owner].storey : -1;
+  return storey < 0 ? "" : model.storeys.at(static_cast<std::size_t>(storey)).name;
+}
+
 ModelSheet model_sheet(const structures::Building& building) {
   ModelSheet sheet;
   sheet.layout = building.layout;

@@ -4,13 +4,15 @@
 #include <cmath>
 
 namespace dougong::app {
-Recorder::Recorder(const Preparation& preparation) : preparation_(preparation) {
+Recorder::Recorder(const Preparation& preparation, std::vector<DrawnBond> described)
+    : bonds(std::move(described)), preparation_(preparation) {
   trajectory.blocks = preparation.model.body_count;
 }
 
 void Recorder::note(const engine::Sample& sample) {
   note_motion(sample);
   energies.note(preparation_.model, sample.state);
+  note_damage(preparation_.model, sample.state, bonds);
   note_drift();
 }
 
@@ -48,7 +50,7 @@ void Recorder::note_drift() {
   for (const structures::Storey& storey : preparation_.building.storeys) {
     const double above = level_displacement(storey.level_blocks);
     const double drift = (above - below) / storey.height;
-    if (std::abs(drift) > std::abs(peak_drift_)) peak_drift_ = drift;
+    if (!storey.is_base && std::abs(drift) > std::abs(peak_drift_)) peak_drift_ = drift;
     below = above;
   }
 }

@@ -8,7 +8,8 @@ namespace dougong::app {
 
 class Recorder {
  public:
-  explicit Recorder(const Preparation& preparation);
+  /// bonds: as described, to note their damage.
+  Recorder(const Preparation& preparation, std::vector<DrawnBond> bonds);
 
   void note(const engine::Sample& sample);
   Progress progress() const;
@@ -18,6 +19,7 @@ class Recorder {
   structures::Trajectory trajectory;
   EnergyRecorder energies;
   std::vector<double> overlap_ratio;
+  std::vector<DrawnBond> bonds;
 
  private:
   void note_motion(const engine::Sample& sample);

@@ -40,6 +40,7 @@ struct DrawnBond {
   std::size_t owner = 0;                   // numbered as in DrawnLink
   engine::Vec2 start, end;                 // m
   double cracked = never, broken = never;  // s
+  std::string mode = {};  // how it cracked first: "tension", "shear", "yield"; empty while sound
   static constexpr double never = std::numeric_limits<double>::infinity();
 };
 
@@ -73,11 +74,14 @@ struct ModelSheet {
   std::vector<std::string> modelled;
   std::vector<std::string> not_modelled;
   std::vector<std::string> findings;  // of the model check
-  std::vector<DrawnLink> links;       // joints; only in memory
-  std::vector<DrawnBond> bonded;      // only in memory
-  bool free_scene = false;            // pictures frame the terrain too and know no storeys; only in memory
-  bool trails = false;                // pictures draw the paths of the bodies; only in memory
+  std::vector<DrawnLink> links;       // joints
+  std::vector<DrawnBond> bonded;
+  bool free_scene = false;  // pictures frame the terrain too and know no storeys; only in memory
+  bool trails = false;      // pictures draw the paths of the bodies; only in memory
 };
+
+/// Name of the storey that a bond belongs to; empty for none.
+std::string storey_of(const ModelSheet& model, const DrawnBond& bond);
 
 struct MotionSheet {
   std::string title;                    // "synthetic Wenchuan-style / SYN1 / EW"

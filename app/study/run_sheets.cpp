@@ -172,6 +172,27 @@ void draw_connections(const engine::Scene& scene, ModelSheet& sheet) {
     sheet.links.push_back({place(joint.a), place(joint.b), joint.anchor_a, joint.anchor_b});
 }
 
+namespace {
+
+std::string mode_of(const engine::BondHistory& first, const engine::BondHistory& second) {
+  if (first.sheared || second.sheared) return "shear";
+  return first.plastic != 0.0 || second.plastic != 0.0 ? "yield" : "tension";
+}
+
+}  // namespace
+
+void note_damage(const engine::Model& model, const engine::State& state, std::vector<DrawnBond>& bonds) {
+  const auto& points = state.bonds.history;
+  for (std::size_t i = 0; i < bonds.size(); ++i) {
+    const engine::BondHistory &first = points[2 * i], &second = points[2 * i + 1];
+    const bool cracked = engine::has_cracked(model.bond_points[2 * i].law, first) ||
+                         engine::has_cracked(model.bond_points[2 * i + 1].law, second);
+    if (cracked && bonds[i].mode.empty())
+      bonds[i].cracked = state.time, bonds[i].mode = mode_of(first, second);
+    if (first.broken && second.broken) bonds[i].broken = std::min(bonds[i].broken, state.time);
+  }
+}
+
 NamedValue material_sheet(const engine::Material& m) {
   return {
       m.name,

@@ -71,7 +71,7 @@ class SceneRecorder {
 
   void note(const engine::Sample& sample) {
     note_bodies(sample);
-    note_bonds(sample);
+    note_damage(p_.model, sample.state, out_.run.model.bonded);
     note_terrains(sample);
     for (std::string& text : rocking_.look(p_.model, sample.state)) warnings_.push_back(std::move(text));
     energies_.note(p_.model, sample.state);
@@ -100,20 +100,6 @@ class SceneRecorder {
       out_.accelerations.push_back({sample.accelerations[i], sample.accelerations[n + i]});
       out_.angular_accelerations.push_back(sample.accelerations[2 * n + i]);
       fastest_ = std::max(fastest_, engine::norm(velocity));
-    }
-  }
-
-  // A bond has two points; half broken is cracked.
-  void note_bonds(const engine::Sample& sample) {
-    const auto& points = sample.state.bonds.history;
-    for (std::size_t i = 0; i < out_.run.model.bonded.size(); ++i) {
-      DrawnBond& bond = out_.run.model.bonded[i];
-      const engine::BondHistory &first = points[2 * i], &second = points[2 * i + 1];
-      const double now = sample.state.time;
-      if (engine::has_cracked(p_.model.bond_points[2 * i].law, first) ||
-          engine::has_cracked(p_.model.bond_points[2 * i + 1].law, second))
-        bond.cracked = std::min(bond.cracked, now);
-      if (first.broken && second.broken) bond.broken = std::min(bond.broken, now);
     }
   }
 

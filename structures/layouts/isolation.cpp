@@ -133,6 +133,7 @@ Building isolated(Building building, const ParameterValues& values) {
   const std::size_t raft = add_raft(building, values, feet);
   move_to_raft(building, raft);
   Storey storey{"raft", 0.0, thickness, {raft}, {raft}};
+  storey.is_base = true;
   found_abutments(building, values, raft, storey);
   if (!values.is("isolation", "sliding")) add_springs(building, values, raft, total_mass(building));
   building.storeys.insert(building.storeys.begin(), std::move(storey));

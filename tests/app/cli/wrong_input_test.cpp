@@ -112,7 +112,7 @@ INSTANTIATE_TEST_SUITE_P(
                     BadSetting{"rate=1e9 Hz", "from 0.01 Hz to 1000000 Hz", "found 1e+09 Hz"},
                     BadSetting{"integrator=rk5", "one of automatic, velocity-verlet",
                                "did you mean \"rk4\"?"},
-                    BadSetting{"format=knets", "one of peer-at2", "found \"knets\""},
+                    BadSetting{"format=knets", "peer-at2, ", "found \"knets\""},
                     BadSetting{"step=1 s", "at most the stability bound of", "found 1 s"},
                     BadSetting{"slab_length=5 m", "at least", "found 5 m"}));
 

@@ -24,6 +24,10 @@ class Bytes {
  public:
   std::string out;
 
+  template <class T>
+  void optional_field(const std::string& name, const char* unit, const T& value) {
+    field(name, unit, value);
+  }
   template <class Inner>
   void optional_group(const std::string& name, Inner inner) {
     group(name, inner);
