@@ -214,6 +214,10 @@ void ContactPoints::set_stiffness(std::size_t i, const PointStiffness& law) {
   b.friction[k / 2] = law.friction, b.resting_share[k / 2] = law.resting;
 }
 
+void ContactPoints::set_back(std::size_t i, double by) {
+  if (kind[i] == FeatureKind::corner_edge) block(i).radius[lane(i)] -= by;
+}
+
 BearingLength ContactPoints::bearing(std::size_t i) const {
   const PointBlock& b = block(i);
   const std::size_t k = lane(i);

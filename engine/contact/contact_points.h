@@ -60,6 +60,8 @@ class ContactPoints {
 
   PointStiffness stiffness(std::size_t i) const;
   void set_stiffness(std::size_t i, const PointStiffness& law);
+  /// Lets the corner overlap by so much more (m) before it bears. Nothing on a round contact.
+  void set_back(std::size_t i, double by);
   BearingLength bearing(std::size_t i) const;
   double inverse_width(std::size_t i) const { return block(i).inverse_width[lane(i) / 2]; }  // 1/m
   PointHistory history(std::size_t i) const;

@@ -286,7 +286,8 @@ void ContactSet::write_points(const Model& model, std::span<const Frame> frames,
       points.clear(i, pair.bodies);
       continue;
     }
-    const Feature& feature = pair.manifold.features[k];
+    Feature feature = pair.manifold.features[k];
+    if (feature.kind == FeatureKind::corner_edge) feature.radius -= pair.setback;
     const BearingLength length = rigid_ ? BearingLength{} : bearing_of(model, frames, pair.manifold, feature);
     const PointStiffness law = law_of(model, frames, pair, feature, 1.0 / length.per_reference);
     points.set(i, pair.bodies, feature, length, hardened(law, pair.hardening), width);
@@ -319,29 +320,57 @@ void ContactSet::harden(ContactPair& pair, double hardening) {
   pair.hardening = hardening;
 }
 
+// Bodies overlap by so much more before the pair bears.
+void ContactSet::set_back(ContactPair& pair, double setback) {
+  for (const std::size_t i : {pair.first_point + 0u, pair.first_point + 1u})
+    points.set_back(i, setback - pair.setback);
+  pair.setback = setback;
+}
+
+// Makes the springs of the pairs store that energy. Where it is less than their overlap asks for, the
+// surfaces are set back, not the springs softened: a corner beyond the bond's points may overlap where they
+// were relaxed, and must bear the next load as any other.
+void ContactSet::take_over(std::span<const Frame> frames, std::span<ContactPair* const> pairs,
+                           double energy) {
+  const auto stored = [&] {
+    double sum = 0.0;
+    for (const ContactPair* pair : pairs) sum += energy_of(points, pair->first_point, frames);
+    return sum;
+  };
+  const double now = stored();
+  if (energy >= now) {
+    for (ContactPair* pair : pairs) harden(*pair, pair->hardening * energy / now);
+    return;
+  }
+  double least = 0.0, most = 0.0;
+  for (const ContactPair* pair : pairs)
+    for (const std::size_t i : {pair->first_point + 0u, pair->first_point + 1u})
+      most = std::max(most, geometry_of(points, i, frames).overlap);
+  for (int halving = 0; halving < 60; ++halving) {
+    const double middle = 0.5 * (least + most);
+    for (ContactPair* pair : pairs) set_back(*pair, middle);
+    (stored() > energy ? least : most) = middle;
+  }
+}
+
 // The contacts of two bodies whose face was joined until now: closed where they overlap, with relaxed
 // friction springs.
 void ContactSet::hand_over(std::span<const Frame> frames, const Heir& heir) {
-  const auto each = [&](auto&& visit) {
-    for (ContactPair& pair : pairs_)
-      if (pair.active && pair.bodies == heir.bodies) visit(pair);
-  };
+  std::vector<ContactPair*> pairs;
+  for (ContactPair& pair : pairs_)
+    if (pair.active && pair.bodies == heir.bodies) pairs.push_back(&pair);
   double now = 0.0, taken = 0.0;
-  each([&](ContactPair& pair) { now += energy_of(points, pair.first_point, frames); });
+  for (const ContactPair* pair : pairs) now += energy_of(points, pair->first_point, frames);
   if (now == 0.0) return;
-  // A corner beyond the bond's points may overlap where they were relaxed: softened without end it would
-  // sink.
-  constexpr double least_part = 0.25;
-  const double part = std::max(heir.energy / now, least_part);
-  each([&](ContactPair& pair) {
-    harden(pair, pair.hardening * part);
-    for (const std::size_t i : {pair.first_point + 0u, pair.first_point + 1u}) {
+  take_over(frames, pairs, heir.energy);
+  for (const ContactPair* pair : pairs) {
+    for (const std::size_t i : {pair->first_point + 0u, pair->first_point + 1u}) {
       const PointGeometry g = geometry_of(points, i, frames);
       if (g.overlap > 0.0)
         points.set_history(i, history_with_slip(points, i, frames, points.history(i), 0.0));
     }
-    taken += energy_of(points, pair.first_point, frames);
-  });
+    taken += energy_of(points, pair->first_point, frames);
+  }
   inherited_ += std::min(taken, heir.energy);
 }
 
@@ -378,7 +407,7 @@ bool ContactSet::refresh(const Model& model, std::span<const Frame> frames, Cont
   const bool touches = pair.manifold.count > 0;
   if (touches && pair.active) return renew(model, frames, pair, old);
   if (touches == pair.active) return false;
-  pair.hardening = 1.0;
+  pair.hardening = 1.0, pair.setback = 0.0;
   touches ? enter(model, frames, pair) : leave(pair);
   return true;
 }
@@ -394,6 +423,7 @@ bool ContactSet::renew(const Model& model, std::span<const Frame> frames, Contac
   const std::array<Vec2, 2> old_place{place(0), place(old.count > 1 ? 1 : 0)};
   const double stored = energy_of(points, pair.first_point, frames);
   if (stored == 0.0) pair.hardening = 1.0;
+  if (pair.setback > 0.0 && pair.gap > 0.0) pair.setback = 0.0;
   write_points(model, frames, pair, old, kept);
   keep_energy(frames, pair, stored);
   if (same_features(old, pair.manifold)) return false;

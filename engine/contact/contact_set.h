@@ -23,6 +23,7 @@ struct ContactPair {
   Index first_point = 0;   // of two, if active
   bool active = false;     // within the margin
   double hardening = 1.0;  // of its springs, so that they store what those before them did (keep_energy)
+  double setback = 0.0;    // m, of its surfaces: overlap that was there when a bond let go (hand_over)
   // The couple of the pair's rocking restitution, and the length of contact it was found for.
   RockingLaw rocking;
   double rocking_length = -1.0;  // m
@@ -98,6 +99,8 @@ class ContactSet {
                     std::span<const Memory> kept);
   void keep_energy(std::span<const Frame> frames, ContactPair& pair, double stored);
   void harden(ContactPair& pair, double hardening);
+  void set_back(ContactPair& pair, double setback);
+  void take_over(std::span<const Frame> frames, std::span<ContactPair* const> pairs, double energy);
   struct Heir {
     BodyPair bodies;
     double energy = 0.0;  // J
