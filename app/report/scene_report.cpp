@@ -123,7 +123,6 @@ std::string image_of(const SceneResult& r) {
   write_terrains(file, r);
   writer.group("energy", [&] {
     walk_energy(writer, r.run.energy);
-    writer.field("fracture", "J", r.run.energy.fracture);
     writer.field("field", "J", r.run.energy.field);
   });
   write_trees(writer, r);
