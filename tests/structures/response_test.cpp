@@ -112,6 +112,19 @@ TEST(Drift, IsMeasuredFromTheFirstOutputTime) {
   EXPECT_THAT(script.response().storeys[2].drift, Each(::testing::DoubleNear(0.0, 1e-12)));
 }
 
+// The level of isolators goes far and does not drift.
+TEST(Drift, OfTheLevelOfIsolatorsDoesNotCount) {
+  Response response;
+  for (const auto& [name, is_base, drift] : {std::tuple{"raft", true, 0.4}, {"S1", false, 0.01}}) {
+    StoreyResponse storey;
+    storey.name = name, storey.is_base = is_base;
+    storey.peak_drift.positive.value = storey.residual_drift = drift;
+    response.storeys.push_back(storey);
+  }
+  EXPECT_EQ(storey_of_peak_drift(response)->name, "S1");
+  EXPECT_EQ(storey_of_residual_drift(response)->name, "S1");
+}
+
 TEST(ResidualDrift, IsTheMeanOfTheLastSecond) {
   Script script = frame();
   script.block = [](const std::string& name, double t) {

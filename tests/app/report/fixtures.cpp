@@ -286,6 +286,11 @@ EnsembleSheet small_ensemble() {
 RunResult repeated() {
   RunResult run = collapsed();
   run.ensemble = small_ensemble();
+  run.model.bonds = 3;
+  run.model.bonded = {{"base", 0, {-0.25, -1.3}, {0.25, -1.3}, 9.5, 9.7, "tension"},
+                      {"head", 2, {-2.5, -0.2}, {-2.0, -0.2}, 9.1, DrawnBond::never, "shear"},
+                      {"sound", 5, {0.0, 0.0}, {1.0, 0.0}}};
+  run.energy.fracture.assign(run.trajectory.times.size(), 12.0);
   return run;
 }
 

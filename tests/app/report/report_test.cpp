@@ -115,6 +115,17 @@ TEST(Report, AFolderThatCannotBeMadeIsNamed) {
   }
 }
 
+TEST(Page, ListsTheDamageOfTheBondsInOrder) {
+  const std::string page = report_page(fixtures::repeated(), {});
+  EXPECT_THAT(page, HasSubstr("2 of 3 bonds cracked or yielded."));
+  const auto head = page.find(">head<"), base = page.find(">base<");
+  ASSERT_NE(head, std::string::npos);
+  ASSERT_NE(base, std::string::npos);
+  EXPECT_LT(head, base) << "the first to crack comes first";
+  EXPECT_EQ(page.find(">sound<"), std::string::npos);
+  EXPECT_THAT(report_page(fixtures::survived(), {}), HasSubstr("Nothing is bonded in this building."));
+}
+
 TEST(Page, SaysHowSureItIs) {
   const std::string page = report_page(fixtures::repeated(), {});
   EXPECT_THAT(

@@ -88,6 +88,12 @@ double number(const std::string& text) {
   return value;
 }
 
+TEST(DamageCsv, HasEveryBondWithItsStoreyAndTimes) {
+  EXPECT_EQ(damage_csv(fixtures::repeated()),
+            "bond,storey,mode,cracked (s),broken (s)\nbase,S1,tension,9.5,9.7\nhead,S1,shear,9.1,\n"
+            "sound,S2,,,\n");
+}
+
 TEST(Summary, FollowsItsSchema) {
   for (const RunResult& run : {fixtures::survived(), fixtures::repeated(), fixtures::collapsed(),
                                fixtures::partial(), fixtures::motionless(), RunResult{}}) {

@@ -27,6 +27,22 @@ TEST(Execute, EveryHistoryHasOneEntryAnOutputTime) {
   EXPECT_EQ(r.response.times, r.trajectory.times);
 }
 
+TEST(Execute, NotesWhichBondsCrackHowAndWhen) {
+  Preparation p =
+      prepared({"layout=concrete-frame", "storeys=1", "bays=1", "pga=1.5 g", "duration=16 s", "rate=50 Hz"});
+  const RunResult r = execute(p, "");
+  std::size_t yielded = 0;
+  for (const DrawnBond& bond : r.model.bonded) {
+    EXPECT_EQ(bond.mode.empty(), bond.cracked == DrawnBond::never) << bond.name;
+    yielded += bond.mode == "yield";
+    EXPECT_GT(bond.cracked, 5.0) << "nothing cracks before the strong shaking";
+  }
+  EXPECT_GT(yielded, 0u);
+  EXPECT_LT(yielded, r.model.bonded.size());
+  EXPECT_LT(r.energy.relative_error, 1e-3) << "what cracks makes no energy";
+  EXPECT_GT(r.energy.fracture.back(), 0.0);
+}
+
 TEST(Execute, TheEnergyErrorIsWhatTheColumnsLeaveOver) {
   Preparation p = prepared_drum();
   const EnergyHistory e = execute(p, "").energy;
