@@ -126,7 +126,8 @@ Sentences open_ends(const Response& response, const NumericalEvidence& numerics,
         "block {} leans {:.1f} deg at the end and would topple alone beyond {:.1f} deg", lean.block,
         lean.angle * 180.0 / std::numbers::pi, criteria.lean * lean.limit * 180.0 / std::numbers::pi));
   for (const StoreyResponse& storey : response.storeys)
-    if (const double growth = growth_of(storey, response.times); growth > criteria.drift_growth)
+    if (const double growth = growth_of(storey, response.times);
+        !storey.is_base && growth > criteria.drift_growth)
       doubts.push_back(fmt::format("the drift of {} still grows, by {} over the last {:.3g} s", storey.name,
                                    percent(growth), residual_window));
   return doubts;

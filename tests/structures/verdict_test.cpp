@@ -163,6 +163,13 @@ INSTANTIATE_TEST_SUITE_P(
                    c.response.storeys[1].drift[i] = -0.004 * c.response.times[i];
                },
                undecided, "the drift of S2 still grows, by 0.4 % over the last 1 s"},
+        Branch{"isolator_that_still_moves",
+               [](Case& c) {
+                 c.response.storeys[1].is_base = true;
+                 for (std::size_t i = 0; i < 1001; ++i)
+                   c.response.storeys[1].drift[i] = -0.004 * c.response.times[i];
+               },
+               survived, "Survived"},
         Branch{"swinging_back",
                [](Case& c) {
                  for (std::size_t i = 0; i < 1001; ++i)
