@@ -1,15 +1,15 @@
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 #include "app/cli/commands.h"
 #include "app/cli/motion_file.h"
 #include "app/cli/record_output.h"
 #include "app/cli/record_tools.h"
 #include "seismic/measures/rotated.h"
-#include "seismic/numerics/parse_number.h"
+#include "seismic/rotate.h"
 
 namespace dougong::app {
 namespace {
@@ -20,26 +20,21 @@ double in_degrees(double angle) {
   return angle * 180.0 / std::numbers::pi;
 }
 
-// Of "NS", "EW2", "E-W", "090", "S49W" no more than the first four: clockwise from north, degrees.
-std::optional<double> azimuth_of(const std::string& component) {
-  std::string letters, digits;
-  for (const char c : component) {
-    if (std::isalpha(static_cast<unsigned char>(c)))
-      letters += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-    if (std::isdigit(static_cast<unsigned char>(c))) digits += c;
-  }
-  if (letters == "NS" || letters == "N") return 0.0;
-  if (letters == "EW" || letters == "E") return 90.0;
-  if (letters.empty() && digits.size() == 3) return seismic::parse_number(digits);
-  return std::nullopt;
-}
-
 double known_azimuth(const seismic::Record& record) {
-  if (const auto azimuth = azimuth_of(record.component)) return *azimuth;
+  if (record.azimuth) return *record.azimuth;
   refuse("--azimuth",
          fmt::format("expected components that say theirs (NS, EW, 090), found \"{}\"; --angle turns from "
                      "the first component towards the second",
                      record.component));
+}
+
+seismic::NorthEast north_east_of(const seismic::Record& first, const seismic::Record& second) {
+  const double z1 = known_azimuth(first), z2 = known_azimuth(second);
+  try {
+    return seismic::north_east(first.acceleration, z1, second.acceleration, z2);
+  } catch (const std::invalid_argument& error) {
+    refuse("--azimuth", fmt::format("{}: found {:g} and {:g} degrees", error.what(), z1, z2));
+  }
 }
 
 struct Turned {
@@ -48,15 +43,9 @@ struct Turned {
   std::string how;
 };
 
-// a(z) = a1 cos(z - z1) + a2 sin(z - z1) for a second component 90 degrees clockwise of the first.
 Turned at_azimuth(const seismic::Record& first, const seismic::Record& second, double azimuth) {
-  const double z1 = known_azimuth(first), z2 = known_azimuth(second);
-  const double between = std::fmod(z2 - z1 + 720.0, 360.0);
-  if (std::abs(between - 90.0) > 1e-9 && std::abs(between - 270.0) > 1e-9)
-    refuse("--azimuth",
-           fmt::format("expected components at right angles, found {:g} and {:g} degrees", z1, z2));
-  const double angle = between < 180.0 ? azimuth - z1 : z1 - azimuth;
-  return {seismic::rotated(first.acceleration, second.acceleration, angle),
+  const seismic::NorthEast motion = north_east_of(first, second);
+  return {seismic::rotate(motion.north, motion.east, azimuth),
           fmt::format("{:03g}", std::fmod(azimuth + 360.0, 360.0)),
           fmt::format("azimuth {:g} degrees", azimuth)};
 }

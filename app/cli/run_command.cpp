@@ -77,8 +77,8 @@ std::size_t jobs_of(const RunOptions& options) {
   return options.jobs > 0 ? options.jobs : std::max(1u, std::thread::hardware_concurrency());
 }
 
-// The members of the ensemble, unless the run itself was interrupted or never began.
-// What has been computed is saved before it begins.
+// The members of the ensemble, unless the run itself was interrupted. What has been computed is saved before
+// they begin.
 void repeat(const Preparation& preparation, std::size_t jobs, const fs::path& directory,
             Interrupts& interrupts, Terminal& terminal, RunResult& result) {
   if (preparation.scenario.ensemble.n < 2 || result.partial) return;
@@ -86,11 +86,10 @@ void repeat(const Preparation& preparation, std::size_t jobs, const fs::path& di
   terminal.line(
       fmt::format("Running {} more times with small changes ...", preparation.scenario.ensemble.n - 1),
       Tone::faint);
-  result.ensemble =
-      run_ensemble(preparation, result, records_directory(), jobs, [&](const EnsembleProgress& progress) {
-        terminal.progress(progress);
-        return !interrupts.asked();
-      });
+  result.ensemble = run_ensemble(preparation, result, jobs, [&](const EnsembleProgress& progress) {
+    terminal.progress(progress);
+    return !interrupts.asked();
+  });
   terminal.end_progress();
 }
 

@@ -37,9 +37,8 @@ void refine(engine::DriveOptions& drive, double step) {
     drive.step = 0.5 * step;
 }
 
-EnsembleMember run_one(const Preparation& described, const Variation& v,
-                       const std::filesystem::path& records_directory, const ProgressObserver& go_on) {
-  Preparation p = prepare(described.scenario, records_directory, v.member);
+EnsembleMember run_one(const Preparation& described, const Variation& v, const ProgressObserver& go_on) {
+  Preparation p = prepare_member(described, v.member);
   if (v.half_step) refine(p.drive, described.plan.step);
   const RunResult run = execute(p, "", go_on);
   return member_of(run);
@@ -79,8 +78,7 @@ EnsembleMember member_of(const RunResult& run) {
   return member;
 }
 
-EnsembleSheet run_ensemble(const Preparation& described, const RunResult& run,
-                           const std::filesystem::path& records_directory, std::size_t jobs,
+EnsembleSheet run_ensemble(const Preparation& described, const RunResult& run, std::size_t jobs,
                            const EnsembleObserver& progress) {
   const EnsembleChoice& choice = described.scenario.ensemble;
   EnsembleSheet sheet;
@@ -100,7 +98,7 @@ EnsembleSheet run_ensemble(const Preparation& described, const RunResult& run,
   share_tasks(variations.size(), jobs, [&](std::size_t i) {
     const Variation& v = variations[i];
     if (stopped) return;
-    EnsembleMember member = run_one(described, v, records_directory, [&](const Progress&) {
+    EnsembleMember member = run_one(described, v, [&](const Progress&) {
       const std::lock_guard lock(mutex);
       if (progress && !progress(state)) stopped = true;
       return !stopped;

@@ -18,9 +18,8 @@ using EnsembleObserver = std::function<bool(const EnsembleProgress&)>;
 EnsembleMember member_of(const RunResult& run);
 
 /// The other members of the run `described`, whose preparation it was. jobs: threads, at least 1. Throws as
-/// prepare().
-EnsembleSheet run_ensemble(const Preparation& preparation, const RunResult& described,
-                           const std::filesystem::path& records_directory, std::size_t jobs,
+/// prepare_member().
+EnsembleSheet run_ensemble(const Preparation& preparation, const RunResult& described, std::size_t jobs,
                            const EnsembleObserver& progress = {});
 
 }  // namespace dougong::app

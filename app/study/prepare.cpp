@@ -51,30 +51,44 @@ void refuse_too_much_output(const Preparation& p) {
   app::refuse_too_much_output(p.duration / p.plan.output_interval, values, p.model.body_count);
 }
 
-}  // namespace
-
-Preparation prepare(const Scenario& scenario, const std::filesystem::path& records_directory,
-                    std::size_t member) {
-  Preparation p;
-  p.scenario = scenario;
-  p.building = building_of(scenario);
-  p.findings = structures::check_model(p.building);
-  refuse_errors(p.findings);
-  perturb(p.building, scenario.ensemble.perturbation, member);
-  p.motion = make_motion(scenario, records_directory);
-  p.motion.ground = perturbed(p.motion.ground, scenario.ensemble.perturbation, member);
+// Everything that follows from the building and its motion.
+void make_ready(Preparation& p) {
   for (engine::Terrain& terrain : p.building.scene.terrains) terrain.motion = p.motion.ground;
   p.model = engine::compile(p.building.scene);
   p.state = engine::initial_state(p.model, p.building.scene);
   settle_building(p);
   note_rocking_limits(p);
   find_period(p);
-  p.duration = duration_of(scenario, p.motion);
+  p.duration = duration_of(p.scenario, p.motion);
   choose_drive(p);
   p.plan = engine::plan_steps(p.model, p.state, p.drive);
   refuse_unstable_step(p.drive, p.plan);
   refuse_too_much_output(p);
+}
+
+}  // namespace
+
+Preparation prepare(const Scenario& scenario, const std::filesystem::path& records_directory) {
+  Preparation p;
+  p.scenario = scenario;
+  p.building = building_of(scenario);
+  p.findings = structures::check_model(p.building);
+  refuse_errors(p.findings);
+  p.motion = make_motion(scenario, records_directory);
+  make_ready(p);
   p.estimated_seconds = estimated_cost(p.model, p.state, p.drive, p.plan, p.duration);
+  return p;
+}
+
+Preparation prepare_member(const Preparation& described, std::size_t member) {
+  Preparation p;
+  p.scenario = described.scenario;
+  p.building = described.building;
+  p.motion = described.motion;
+  const Perturbation& by = p.scenario.ensemble.perturbation;
+  perturb(p.building, by, member);
+  p.motion.ground = perturbed(p.motion.ground, by, member);
+  make_ready(p);
   return p;
 }
 

@@ -37,10 +37,11 @@ class ModelError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// `member`: of the scenario's ensemble; 0: as described. Throws LayoutError, ModelError,
-/// seismic::InputError, std::invalid_argument.
-Preparation prepare(const Scenario& scenario, const std::filesystem::path& records_directory,
-                    std::size_t member = 0);
+/// Throws LayoutError, ModelError, seismic::InputError, std::invalid_argument.
+Preparation prepare(const Scenario& scenario, const std::filesystem::path& records_directory);
+/// The same with the changes of that member of the scenario's ensemble; 0: none. `described` may have been
+/// run. What it costs is not estimated. Throws std::invalid_argument.
+Preparation prepare_member(const Preparation& described, std::size_t member);
 
 /// The building of a scenario or of a layout alone, checked; without a motion. Throws as above.
 ModelSheet model_sheet(const structures::Building& building);

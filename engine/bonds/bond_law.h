@@ -11,11 +11,13 @@
 // e_edge the opening of the face's end beside the point, D0 what was left of the strength: a sound face
 // cracks where the stress at its edge reaches the strength, as a beam does, and a damaged point follows its
 // own opening, so that it takes its fracture energy. Ductile, if Fy < Ft: N stays at Fy and p grows; slip
-// beyond the shear strength then flows too. Otherwise shear beyond its strength breaks the point. A face that
-// is joined bears compression by its points. Once a point has left the elastic range the face has a crack:
-// the bodies touch there as contacts do (contact/contact_set.h), which bear compression and friction, and
-// what is left of the points holds tension and cohesion only. A broken point then does nothing. Units: N and
-// m; the stiffness of the point's tributary area, its strengths times that area.
+// beyond the shear strength then flows too. Otherwise shear beyond its strength breaks the point.
+//
+// A face that is joined bears compression by its points. Once a point has left the elastic range the face has
+// a crack: the bodies touch there as contacts do (contact/contact_set.h), which bear compression and
+// friction, and what is left of the points holds tension and cohesion only. A broken point then does nothing.
+//
+// Units: N and m; the stiffness of the point's tributary area, its strengths times that area.
 #pragma once
 
 #include <algorithm>

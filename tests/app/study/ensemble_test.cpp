@@ -17,7 +17,7 @@ using structures::Building;
 EnsembleSheet ensemble_of(const std::vector<std::string>& words, std::size_t jobs) {
   Preparation p = prepared_drum(words);
   const Preparation before = p;
-  return run_ensemble(before, execute(p, ""), DOUGONG_RECORDS_DIRECTORY, jobs);
+  return run_ensemble(before, execute(p, ""), jobs);
 }
 
 std::vector<std::string> hashes_of(const EnsembleSheet& sheet) {
@@ -67,9 +67,8 @@ TEST(Ensemble, OfAnotherSeedIsAnother) {
 TEST(Ensemble, StopsWhenItIsAskedTo) {
   Preparation p = prepared_drum({"ensemble.n=5"});
   const Preparation before = p;
-  const EnsembleSheet sheet =
-      run_ensemble(before, execute(p, ""), DOUGONG_RECORDS_DIRECTORY, 1,
-                   [](const EnsembleProgress& progress) { return progress.done < 2; });
+  const EnsembleSheet sheet = run_ensemble(
+      before, execute(p, ""), 1, [](const EnsembleProgress& progress) { return progress.done < 2; });
   EXPECT_EQ(std::ranges::count_if(sheet.members, &EnsembleMember::done), 3);
   EXPECT_FALSE(sheet.half_step.done);
 }
