@@ -56,11 +56,19 @@ struct FlagsOf {
   using Bytes [[gnu::vector_size(lanes_of<R>)]] = unsigned char;
   using Integers [[gnu::vector_size(4 * lanes_of<R>)]] = int;
 };
+// Bytes to integers is by intrinsics where there are any: GCC 12 converts one byte after the other.
 template <class R>
 DOUGONG_INLINE R load_flags(const unsigned char* from) {
+  using Integers = typename FlagsOf<R>::Integers;
+#if defined(DOUGONG_AVX512) || defined(DOUGONG_AVX2)
+  if constexpr (lanes_of<R> == 8)
+    return __builtin_convertvector(Integers(_mm256_cvtepu8_epi32(_mm_loadu_si64(from))), R);
+  if constexpr (lanes_of<R> == 4)
+    return __builtin_convertvector(Integers(_mm_cvtepu8_epi32(_mm_loadu_si32(from))), R);
+#endif
   typename FlagsOf<R>::Bytes bytes;
   __builtin_memcpy(&bytes, from, sizeof bytes);
-  return __builtin_convertvector(__builtin_convertvector(bytes, typename FlagsOf<R>::Integers), R);
+  return __builtin_convertvector(__builtin_convertvector(bytes, Integers), R);
 }
 template <class R>
 DOUGONG_INLINE void store_flags(unsigned char* to, R flags) {

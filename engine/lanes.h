@@ -65,18 +65,39 @@ template <class R>
     return any;
   }
 }
-/// As std::min and std::max.
+/// As std::min and std::max, which is how the instructions treat equal and missing numbers too; they answer
+/// in a third of the time that comparing into a mask and choosing by it takes.
 template <class R>
 [[gnu::always_inline]] inline R lesser(R a, R b) {
+#if defined(DOUGONG_AVX512)
+  if constexpr (lanes_of<R> == 8) return _mm512_min_pd(b, a);
+#endif
+#if defined(DOUGONG_AVX512) || defined(DOUGONG_AVX2)
+  if constexpr (lanes_of<R> == 4) return _mm256_min_pd(b, a);
+  if constexpr (lanes_of<R> == 2) return _mm_min_pd(b, a);
+#endif
   return where_less(b, a, b, a);
 }
 template <class R>
 [[gnu::always_inline]] inline R greater(R a, R b) {
+#if defined(DOUGONG_AVX512)
+  if constexpr (lanes_of<R> == 8) return _mm512_max_pd(b, a);
+#endif
+#if defined(DOUGONG_AVX512) || defined(DOUGONG_AVX2)
+  if constexpr (lanes_of<R> == 4) return _mm256_max_pd(b, a);
+  if constexpr (lanes_of<R> == 2) return _mm_max_pd(b, a);
+#endif
   return where_less(a, b, b, a);
 }
+/// As std::fabs: without the sign bit.
 template <class R>
 [[gnu::always_inline]] inline R magnitude(R a) {
-  return where_less(a, R{}, -a, a);
+  if constexpr (lanes_of<R> == 1) {
+    return __builtin_fabs(a);
+  } else {
+    using Bits [[gnu::vector_size(sizeof(R))]] = long long;
+    return R(Bits(a) & 0x7fff'ffff'ffff'ffff);
+  }
 }
 
 }  // namespace dougong::engine
