@@ -28,6 +28,21 @@ struct RunOptions {
 };
 int run_command(const RunOptions& options);
 
+struct CompareOptions {
+  std::string scenario;               // path; empty: defaults and flags
+  std::vector<std::string> vary;      // "key = value, value"
+  std::vector<std::string> records;   // files or names; empty: the base's own
+  std::string layout, pga, ensemble;  // of all runs
+  std::vector<std::string> set;       // key=value of all runs
+  std::string same_sa = "auto";       // auto, yes, no
+  std::string out;                    // folder; empty: SCENARIO-compare in the current folder
+  std::size_t jobs = 0;               // runs at a time; 0: one a processor
+  bool force = false;
+  std::string command;  // as typed
+};
+/// Variants of a building on the same motions, paired.
+int compare_command(const CompareOptions& options);
+
 int layouts_command();
 
 struct LayoutOptions {

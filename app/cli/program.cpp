@@ -29,6 +29,7 @@ std::string command_text(int argc, const char* const* argv) {
 // Options of all commands, and the one that was asked for.
 struct Request {
   RunOptions run;
+  CompareOptions compare;
   LayoutOptions layout;
   ImportOptions import;
   RecordInfoOptions record;
@@ -63,6 +64,37 @@ void add_run(CLI::App& app, Request& r) {
       "Example: dougong run --layout four-storey --set left_column_width=\"0.6 m\" --record wenchuan "
       "--pga \"0.4 g\" --out out/strong");
   run->callback([&r] { r.command = [&r] { return run_command(r.run); }; });
+}
+
+void add_compare(CLI::App& app, Request& r) {
+  CLI::App* compare = app.add_subcommand("compare", "Variants of a building on the same motions, in pairs");
+  CompareOptions& o = r.compare;
+  compare->add_option("scenario", o.scenario, "Scenario file (TOML), with or without tables [[variant]]");
+  const auto add_many = [&](const char* name, std::vector<std::string>& values, const char* meaning) {
+    compare->add_option(name, values, meaning)->take_all()->allow_extra_args(false);
+  };
+  add_many("--vary", o.vary,
+           "\"key = value, value ...\": the first is the reference; several are combined, each with each");
+  add_many("--record", o.records, "Ground motion: a file or a name, once for each (that of the scenario)");
+  compare->add_option("--layout", o.layout, "Building of all variants: a name from `dougong layouts`");
+  compare->add_option("--pga", o.pga, "Peak ground acceleration to scale every record to: \"0.4 g\"");
+  add_many("--set", o.set, "key=value of all variants (docs/scenario.md)");
+  compare->add_option("--ensemble", o.ensemble,
+                      "Runs of each variant on each record, all but one with small changes (1)");
+  compare
+      ->add_option("--same-sa", o.same_sa,
+                   "Also with records scaled to the same Sa(T1, 5 %): auto, where periods differ by 5 %")
+      ->check(CLI::IsMember({"auto", "yes", "no"}));
+  compare->add_option("-j,--jobs", o.jobs, "Runs at a time (one a processor)")->check(CLI::Range(1, 1024));
+  compare->add_option("--out", o.out, "Folder for the results (SCENARIO-compare)");
+  compare->add_flag("--force", o.force, "Write into a folder that already holds something else");
+  compare->footer(
+      "Writes compare.html, compare.csv, differences.csv, figures/ and a folder for every run. The same\n"
+      "command again keeps the runs that are complete. How the intervals are made: docs/compare.md.\n"
+      "Exit codes: 0 done, 30 interrupted, 2 bad input.\n"
+      "Example: dougong compare --layout four-storey --vary \"left_column_width = 0.3, 0.6 m\" --record "
+      "wenchuan --pga \"0.3 g\" --ensemble 16 --out out/columns");
+  compare->callback([&r] { r.command = [&r] { return compare_command(r.compare); }; });
 }
 
 void add_layout(CLI::App& parent, Request& r, const char* name, const char* meaning,
@@ -269,6 +301,7 @@ void describe_program(CLI::App& app, Request& r) {
   app.require_subcommand(1);
   app.footer("Example: dougong run --layout four-storey --record wenchuan --pga \"0.3 g\"");
   add_run(app, r);
+  add_compare(app, r);
   add_layouts(app, r);
   add_records(app, r);
   add_report(app, r);
@@ -384,7 +417,8 @@ int run_program(int argc, const char* const* argv) {
       "Dougong: how far does a building of blocks drift on a real ground motion, and does it collapse?",
       "dougong"};
   Request request;
-  request.run.command = request.scene.command = request.space.command = command_text(argc, argv);
+  request.run.command = request.compare.command = request.scene.command = request.space.command =
+      command_text(argc, argv);
   describe_program(app, request);
   try {
     app.parse(argc, argv);

@@ -49,12 +49,6 @@ Scenario scenario_of(const RunOptions& options) {
   return options.scenario.empty() ? scenario_from(overrides) : load_scenario(options.scenario, overrides);
 }
 
-// Found out before a long run, not after it.
-void require_gnuplot() {
-  const TemporaryDirectory folder;
-  run_gnuplot("set terminal svg\nset terminal pngcairo\n", folder.path());
-}
-
 Preparation prepare_aloud(const Scenario& scenario, const Terminal& terminal) {
   terminal.line(fmt::format("Preparing {} ...", scenario.layout.name), Tone::faint);
   Preparation preparation = prepare(scenario, records_directory());

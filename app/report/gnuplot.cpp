@@ -50,6 +50,11 @@ void run_gnuplot(const std::string& script, const fs::path& folder) {
   throw PlotError("gnuplot failed: " + (said.empty() ? "no message" : said.substr(0, 2000)));
 }
 
+void require_gnuplot() {
+  const TemporaryDirectory folder;
+  run_gnuplot("set terminal svg\nset terminal pngcairo\n", folder.path());
+}
+
 std::string gnuplot_text(const std::string& text) {
   std::string out = "'";
   for (const char c : text) {

@@ -18,6 +18,9 @@ class PlotError : public std::runtime_error {
 /// install when there is no gnuplot.
 void run_gnuplot(const std::string& script, const std::filesystem::path& folder);
 
+/// Found out before a long run, not after it: that gnuplot is there and can draw. Throws PlotError.
+void require_gnuplot();
+
 /// A text as gnuplot's single-quoted string, on one line.
 std::string gnuplot_text(const std::string& text);
 

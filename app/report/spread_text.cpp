@@ -44,6 +44,7 @@ std::string metric_text(const std::string& name, const std::string& unit, double
   if (!std::isfinite(value)) return "n/a";
   if (unit == "m") return length(value);
   if (unit == "s") return seconds(value);
+  if (unit == "bonds") return significant(value, 3);
   if (unit == "m/s2") return significant(value / engine::standard_gravity, 3) + " g";
   if (name.find("over") != std::string::npos) return significant(value, 3);
   return significant(100.0 * value, 3) + " %";

@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <atomic>
 #include <mutex>
-#include <thread>
 
 #include "app/study/metrics.h"
+#include "app/study/share_tasks.h"
 #include "engine/integrators/table.h"
 
 namespace dougong::app {
@@ -44,29 +43,6 @@ EnsembleMember run_one(const Preparation& described, const Variation& v, const P
   return member_of(run);
 }
 
-// Runs tasks 0 .. count - 1 on so many threads; the first exception ends them all and is thrown.
-template <class Task>
-void share_tasks(std::size_t count, std::size_t jobs, const Task& task) {
-  std::atomic<std::size_t> next{0};
-  std::exception_ptr failure;
-  std::mutex mutex;
-  const auto work = [&] {
-    for (std::size_t i = next++; i < count; i = next++) try {
-        task(i);
-      } catch (...) {
-        const std::lock_guard lock(mutex);
-        if (!failure) failure = std::current_exception();
-        next = count;
-      }
-  };
-  {
-    std::vector<std::jthread> others;
-    for (std::size_t i = 1; i < std::min(jobs, count); ++i) others.emplace_back(work);
-    work();
-  }
-  if (failure) std::rethrow_exception(failure);
-}
-
 }  // namespace
 
 EnsembleMember member_of(const RunResult& run) {
@@ -74,7 +50,7 @@ EnsembleMember member_of(const RunResult& run) {
   member.verdict = run.verdict.kind;
   member.state_hash = run.reproducibility.state_hash;
   member.done = !run.partial;
-  for (const Metric& metric : metrics_of(run.response)) member.values.push_back(metric.value);
+  for (const Metric& metric : metrics_of(run)) member.values.push_back(metric.value);
   return member;
 }
 
@@ -83,7 +59,7 @@ EnsembleSheet run_ensemble(const Preparation& described, const RunResult& run, s
   const EnsembleChoice& choice = described.scenario.ensemble;
   EnsembleSheet sheet;
   sheet.perturbations = sheet_of(choice.perturbation);
-  for (const Metric& metric : metrics_of(run.response))
+  for (const Metric& metric : metrics_of(run))
     sheet.metrics.push_back(metric.name), sheet.units.push_back(metric.unit);
   const auto n = static_cast<std::size_t>(choice.n);
   sheet.members.resize(n);

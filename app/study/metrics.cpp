@@ -9,6 +9,8 @@ namespace {
 using structures::Response;
 using structures::StoreyResponse;
 
+constexpr std::size_t per_storey = 3;  // metrics
+
 double size_of(const structures::Envelope& envelope) {
   return std::abs(envelope.largest().value);
 }
@@ -31,6 +33,11 @@ double peak_acceleration(const StoreyResponse& storey) {
   return size_of(storey.peak_acceleration);
 }
 
+double bonds(const RunResult& run, double DrawnBond::*when) {
+  return static_cast<double>(std::ranges::count_if(
+      run.model.bonded, [&](const DrawnBond& bond) { return bond.*when < DrawnBond::never; }));
+}
+
 }  // namespace
 
 std::vector<Metric> metrics_of(const Response& r) {
@@ -47,6 +54,16 @@ std::vector<Metric> metrics_of(const Response& r) {
     metrics.push_back({storey.name + " residual drift", "1", residual_drift(storey)});
     metrics.push_back({storey.name + " peak floor acceleration", "m/s2", peak_acceleration(storey)});
   }
+  return metrics;
+}
+
+std::vector<Metric> metrics_of(const RunResult& run) {
+  std::vector<Metric> metrics = metrics_of(run.response);
+  if (run.model.bonded.empty()) return metrics;
+  const std::size_t whole = metrics.size() - per_storey * run.response.storeys.size();
+  metrics.insert(metrics.begin() + static_cast<std::ptrdiff_t>(whole),
+                 {{"cracked bonds", "bonds", bonds(run, &DrawnBond::cracked)},
+                  {"broken bonds", "bonds", bonds(run, &DrawnBond::broken)}});
   return metrics;
 }
 

@@ -303,9 +303,11 @@ Scenario read_scenario(const std::string& text, const std::string& source,
 }
 
 Scenario load_scenario(const std::filesystem::path& path, const std::vector<Override>& overrides,
-                       RecordRule rule) {
+                       RecordRule rule, const std::vector<std::string>& others) {
   const std::string text = load_text(path, "a scenario file");
   std::vector<Entry> entries = entries_of_toml(text, path.string());
+  std::erase_if(entries,
+                [&](const Entry& entry) { return std::ranges::find(others, entry.key) != others.end(); });
   find_files_beside(path, entries);
   return read_entries(std::move(entries), path.string(), overrides, rule);
 }

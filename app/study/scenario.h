@@ -113,8 +113,9 @@ enum class RecordRule { required, optional };
 /// ScenarioError.
 Scenario read_scenario(const std::string& text, const std::string& source,
                        const std::vector<Override>& overrides = {}, RecordRule rule = RecordRule::required);
+/// others: lists of tables that the file holds for someone else.
 Scenario load_scenario(const std::filesystem::path& path, const std::vector<Override>& overrides = {},
-                       RecordRule rule = RecordRule::required);
+                       RecordRule rule = RecordRule::required, const std::vector<std::string>& others = {});
 /// Without a file: the defaults and the overrides.
 Scenario scenario_from(const std::vector<Override>& overrides, RecordRule rule = RecordRule::required);
 
