@@ -39,6 +39,11 @@ enum class CollapseMode {
   soft_storey,
   sway
 };
+inline constexpr CollapseMode collapse_modes[] = {CollapseMode::none,         CollapseMode::partial,
+                                                  CollapseMode::pounding,     CollapseMode::overturning,
+                                                  CollapseMode::sliding,      CollapseMode::out_of_support,
+                                                  CollapseMode::partial_wall, CollapseMode::pancake,
+                                                  CollapseMode::soft_storey,  CollapseMode::sway};
 /// "none", "partial", "pounding", ... "soft storey", "sway".
 std::string to_string(CollapseMode mode);
 
