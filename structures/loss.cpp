@@ -42,15 +42,22 @@ std::vector<double> ways_out(const Building& building, const Trajectory& traject
   return out;
 }
 
-std::string reason_of(const Trajectory& trajectory, std::size_t step, std::size_t block,
-                      const LossLimits& limits, double way_out) {
+/// Of a block that is lost by now; without a reason where it is not.
+Loss loss_by(const Trajectory& trajectory, std::size_t step, std::size_t block, const LossLimits& limits,
+             double way_out) {
   const double drop = -displacement(trajectory, step, block).y;
   const double turn = trajectory.angle(step, block) - trajectory.angle(0, block);
   const std::size_t last = trajectory.times.size() - 1;
   if (drop > limits.drop)
-    return fmt::format("fell {:.2f} m ({:.2f} m at the end)", drop, -displacement(trajectory, last, block).y);
-  if (std::abs(turn) > limits.turn) return fmt::format("turned {:.0f} deg", degrees(turn));
-  if (way_out > limits.slide) return fmt::format("moved {:.2f} m past its neighbours", way_out);
+    return {
+        step, step,
+        fmt::format("fell {:.2f} m ({:.2f} m at the end)", drop, -displacement(trajectory, last, block).y),
+        LossCause::fell};
+  if (std::abs(turn) > limits.turn)
+    return {step, step, fmt::format("turned {:.0f} deg", degrees(turn)), LossCause::turned};
+  if (way_out > limits.slide)
+    return {step, step, fmt::format("moved {:.2f} m past its neighbours", way_out),
+            LossCause::left_its_place};
   return {};
 }
 
@@ -81,15 +88,17 @@ Loss loss_of_mass(const std::vector<std::size_t>& members, const std::vector<Los
     lost += masses[block];
     // The whole is reached only up to rounding.
     if (lost <= part * total && lost < total * (1.0 - 1e-12)) continue;
-    return {blocks[block].step, blocks[block].step,
-            fmt::format("{:.0f} % of its level's mass was lost", 100.0 * lost / total)};
+    return {blocks[block].step,
+            blocks[block].step,
+            fmt::format("{:.0f} % of its level's mass was lost", 100.0 * lost / total),
+            {}};
   }
   return {};
 }
 
 /// When nothing was left of what carries the level within its storey; never without such blocks.
 Loss loss_of_carriers(const Storey& storey, const std::vector<Loss>& blocks) {
-  Loss loss{0, 0, "everything that carried it was lost"};
+  Loss loss{0, 0, "everything that carried it was lost", {}};
   std::size_t carriers = 0;
   for (const std::size_t block : storey.storey_blocks) {
     if (std::ranges::find(storey.level_blocks, block) != storey.level_blocks.end()) continue;
@@ -137,8 +146,8 @@ std::vector<Loss> find_block_losses(const Building& building, const Trajectory& 
     const std::vector<double> out = ways_out(building, trajectory, step);
     for (std::size_t block = 0; block < trajectory.blocks; ++block) {
       if (losses[block].step != never) continue;
-      const std::string reason = reason_of(trajectory, step, block, limits[block], out[block]);
-      if (!reason.empty()) losses[block] = {step, onset_of(trajectory, step, block, limits[block]), reason};
+      losses[block] = loss_by(trajectory, step, block, limits[block], out[block]);
+      if (losses[block].step != never) losses[block].onset = onset_of(trajectory, step, block, limits[block]);
     }
   }
   return losses;
@@ -151,10 +160,27 @@ std::vector<Loss> find_level_losses(const Building& building, const std::vector<
     Loss loss = loss_of_mass(storey.level_blocks, blocks, masses, criteria.level_mass);
     keep_earlier(loss, loss_of_carriers(storey, blocks));
     if (!levels.empty() && !storey.stands_on_ground && levels.back().step < loss.step)
-      loss = {levels.back().step, levels.back().step, "the level below was lost"};
+      loss = {levels.back().step, levels.back().step, "the level below was lost", {}};
     levels.push_back(std::move(loss));
   }
   return levels;
+}
+
+std::vector<double> masses_of(const engine::Scene& scene) {
+  std::vector<double> masses;
+  for (const engine::Body& body : scene.bodies) {
+    const double density = scene.materials[body.material].density;
+    masses.push_back(body.mass.value_or(engine::mass_properties(body.shape, density, body.thickness).mass));
+  }
+  return masses;
+}
+
+Losses find_losses(const Building& building, const Trajectory& trajectory, const LossCriteria& criteria) {
+  Losses losses;
+  losses.masses = masses_of(building.scene);
+  losses.blocks = find_block_losses(building, trajectory, criteria);
+  losses.levels = find_level_losses(building, losses.blocks, losses.masses, criteria);
+  return losses;
 }
 
 }  // namespace dougong::structures

@@ -19,10 +19,21 @@ struct LossLimits {
   double slide = std::numeric_limits<double>::infinity();  // m
 };
 
+/// The first of the three that held.
+enum class LossCause { fell, turned, left_its_place };
+
 struct Loss {
   std::size_t step = never;   // output time of the loss
   std::size_t onset = never;  // output time from which it had no support any more, <= step
   std::string reason;
+  LossCause cause = LossCause::fell;  // of a block
+};
+
+/// What of a building is lost, and when.
+struct Losses {
+  std::vector<double> masses;  // kg, one a block
+  std::vector<Loss> blocks;    // one a block
+  std::vector<Loss> levels;    // one a storey, bottom up
 };
 
 /// Movement of a block since the first output time, relative to the ground (m).
@@ -32,6 +43,9 @@ engine::Vec2 displacement(const Trajectory& trajectory, std::size_t step, std::s
 std::vector<LossLimits> loss_limits(const Building& building, const LossCriteria& criteria);
 std::vector<Loss> find_block_losses(const Building& building, const Trajectory& trajectory,
                                     const LossCriteria& criteria);
+/// One entry a block (kg).
+std::vector<double> masses_of(const engine::Scene& scene);
+Losses find_losses(const Building& building, const Trajectory& trajectory, const LossCriteria& criteria);
 /// One entry a storey, bottom up; masses has one entry a block (kg).
 std::vector<Loss> find_level_losses(const Building& building, const std::vector<Loss>& blocks,
                                     const std::vector<double>& masses, const LossCriteria& criteria);

@@ -18,24 +18,6 @@ void require_size(const char* what, std::size_t found, std::size_t expected) {
   throw std::invalid_argument(fmt::format("trajectory: expected {} {}, found {}", expected, what, found));
 }
 
-void require_matching(const Building& building, const Trajectory& trajectory) {
-  const std::size_t nt = trajectory.times.size(), nb = building.scene.bodies.size();
-  require_size("blocks", trajectory.blocks, nb);
-  require_size("numbers in the poses", trajectory.poses.size(), 3 * nt * nb);
-  require_size("ground displacements", trajectory.ground_displacement.size(), nt);
-  require_size("ground reactions", trajectory.ground_reaction.size(), nt);
-  require_size("accelerations", trajectory.accelerations.size(), nt * nb);
-}
-
-std::vector<double> masses_of(const engine::Scene& scene) {
-  std::vector<double> masses;
-  for (const engine::Body& body : scene.bodies) {
-    const double density = scene.materials[body.material].density;
-    masses.push_back(body.mass.value_or(engine::mass_properties(body.shape, density, body.thickness).mass));
-  }
-  return masses;
-}
-
 double sum_of(const std::vector<double>& values) {
   double sum = 0.0;
   for (const double value : values) sum += value;
@@ -46,9 +28,7 @@ double sum_of(const std::vector<double>& values) {
 struct Run {
   const Building& building;
   const Trajectory& trajectory;
-  std::vector<double> masses;      // kg, one a block
-  std::vector<Loss> block_losses;  // one a block
-  std::vector<Loss> level_losses;  // one a storey
+  const Losses losses;
 
   std::size_t steps() const { return trajectory.times.size(); }
 };
@@ -73,9 +53,9 @@ template <class Quantity>
 double level_mean(const Run& run, const Storey& storey, std::size_t step, Quantity quantity) {
   double sum = 0.0, mass = 0.0;
   for (const std::size_t block : storey.level_blocks) {
-    if (run.block_losses[block].step <= step) continue;
-    sum += run.masses[block] * quantity(block);
-    mass += run.masses[block];
+    if (run.losses.blocks[block].step <= step) continue;
+    sum += run.losses.masses[block] * quantity(block);
+    mass += run.losses.masses[block];
   }
   return mass > 0.0 ? sum / mass : 0.0;
 }
@@ -116,18 +96,18 @@ double residual_of(const std::vector<double>& history, const std::vector<double>
 }
 
 void add_mass_lost(const Run& run, const Storey& storey, StoreyResponse& response) {
-  for (const std::size_t block : storey.storey_blocks) response.original_mass += run.masses[block];
+  for (const std::size_t block : storey.storey_blocks) response.original_mass += run.losses.masses[block];
   for (std::size_t step = 0; step < run.steps(); ++step) {
     double lost = 0.0;
     for (const std::size_t block : storey.storey_blocks)
-      if (run.block_losses[block].step <= step) lost += run.masses[block];
+      if (run.losses.blocks[block].step <= step) lost += run.losses.masses[block];
     response.mass_lost.push_back(response.original_mass > 0.0 ? lost / response.original_mass : 0.0);
   }
 }
 
 StoreyResponse storey_response(const Run& run, std::size_t index, const StoreyResponse* below) {
   const Storey& storey = run.building.storeys[index];
-  const Loss& loss = run.level_losses[index];
+  const Loss& loss = run.losses.levels[index];
   const std::vector<double>& times = run.trajectory.times;
   StoreyResponse response;
   response.name = storey.name;
@@ -157,15 +137,15 @@ void add_storeys(const Run& run, Response& response) {
   if (response.storeys.empty()) return;
   response.roof_displacement = response.storeys.back().floor_displacement;
   response.peak_roof_displacement =
-      envelope_of(response.roof_displacement, response.times, run.level_losses.back().step);
+      envelope_of(response.roof_displacement, response.times, run.losses.levels.back().step);
 }
 
 void add_base_shear(const Run& run, Response& response) {
-  response.weight = sum_of(run.masses) * engine::norm(run.building.scene.gravity);
+  response.weight = sum_of(run.losses.masses) * engine::norm(run.building.scene.gravity);
   for (const Vec2 reaction : run.trajectory.ground_reaction) response.base_shear.push_back(reaction.x);
   // Afterwards the ground feels debris, not a building.
   std::size_t first_loss = never;
-  for (const Loss& loss : run.level_losses) first_loss = std::min(first_loss, loss.step);
+  for (const Loss& loss : run.losses.levels) first_loss = std::min(first_loss, loss.step);
   response.peak_base_shear = envelope_of(response.base_shear, response.times, first_loss);
   if (response.weight == 0.0) return;  // without gravity there is nothing to compare with
   const auto over_weight = [&](Peak peak) { return Peak{peak.value / response.weight, peak.time}; };
@@ -176,16 +156,16 @@ void add_base_shear(const Run& run, Response& response) {
 void add_losses(const Run& run, Response& response) {
   double lost = 0.0;
   std::size_t onset = never;
-  for (std::size_t block = 0; block < run.block_losses.size(); ++block) {
-    const Loss& loss = run.block_losses[block];
+  for (std::size_t block = 0; block < run.losses.blocks.size(); ++block) {
+    const Loss& loss = run.losses.blocks[block];
     if (loss.step == never) continue;
     response.losses.push_back({block, response.times[loss.step], loss.reason});
-    lost += run.masses[block];
+    lost += run.losses.masses[block];
     onset = std::min(onset, loss.onset);
   }
   std::ranges::stable_sort(response.losses, {}, &BlockLoss::time);
   if (onset != never) response.first_loss_of_support = response.times[onset];
-  const double total = sum_of(run.masses);
+  const double total = sum_of(run.losses.masses);
   response.fallen_mass_fraction = total > 0.0 ? lost / total : 0.0;
 }
 
@@ -206,7 +186,7 @@ double toppling_angle(const engine::Shape& shape, double angle) {
 Lean greatest_lean(const Run& run) {
   Lean greatest;
   for (std::size_t block = 0; block < run.trajectory.blocks; ++block) {
-    if (run.block_losses[block].step != never) continue;
+    if (run.losses.blocks[block].step != never) continue;
     const engine::Body& body = run.building.scene.bodies[block];
     const double start = run.trajectory.angle(0, block);
     const Lean lean{body.name, run.trajectory.angle(run.steps() - 1, block) - start,
@@ -217,6 +197,15 @@ Lean greatest_lean(const Run& run) {
 }
 
 }  // namespace
+
+void require_matching(const Building& building, const Trajectory& trajectory) {
+  const std::size_t nt = trajectory.times.size(), nb = building.scene.bodies.size();
+  require_size("blocks", trajectory.blocks, nb);
+  require_size("numbers in the poses", trajectory.poses.size(), 3 * nt * nb);
+  require_size("ground displacements", trajectory.ground_displacement.size(), nt);
+  require_size("ground reactions", trajectory.ground_reaction.size(), nt);
+  require_size("accelerations", trajectory.accelerations.size(), nt * nb);
+}
 
 const StoreyResponse* storey_of_peak_drift(const Response& response) {
   const auto magnitude = [](const StoreyResponse& s) { return std::abs(s.peak_drift.largest().value); };
@@ -238,9 +227,7 @@ const StoreyResponse* storey_of_residual_drift(const Response& response) {
 Response compute_response(const Building& building, const Trajectory& trajectory,
                           const LossCriteria& criteria) {
   require_matching(building, trajectory);
-  Run run{building, trajectory, masses_of(building.scene), {}, {}};
-  run.block_losses = find_block_losses(building, trajectory, criteria);
-  run.level_losses = find_level_losses(building, run.block_losses, run.masses, criteria);
+  const Run run{building, trajectory, find_losses(building, trajectory, criteria)};
 
   Response response;
   response.times = trajectory.times;
@@ -273,9 +260,8 @@ Trajectory ends_of(const Trajectory& whole) {
 std::optional<double> total_loss(const Building& building, const Trajectory& trajectory,
                                  const LossCriteria& criteria) {
   require_matching(building, trajectory);
-  const auto blocks = find_block_losses(building, trajectory, criteria);
   std::size_t last = 0;
-  for (const Loss& loss : find_level_losses(building, blocks, masses_of(building.scene), criteria))
+  for (const Loss& loss : find_losses(building, trajectory, criteria).levels)
     last = std::max(last, loss.step);
   if (building.storeys.empty() || last == never) return std::nullopt;
   return trajectory.times[last];

@@ -63,6 +63,9 @@ struct Trajectory {
   }
 };
 
+/// Throws std::invalid_argument, naming what does not fit, when the trajectory is not the building's.
+void require_matching(const Building& building, const Trajectory& trajectory);
+
 /// Its first and its last output time alone; it must have one.
 Trajectory ends_of(const Trajectory& trajectory);
 

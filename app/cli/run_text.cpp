@@ -91,6 +91,23 @@ std::string losses_text(const structures::Response& response, std::size_t blocks
                      blocks, 100.0 * response.fallen_mass_fraction, lost.empty() ? "none" : lost);
 }
 
+std::string moment_text(const char* name, const std::optional<double>& time) {
+  return time ? fmt::format(", {} {:.2f} s", name, *time) : "";
+}
+
+std::string collapse_text(const structures::Collapse& c) {
+  return to_string(c.mode) + moment_text("began", c.initiation) + moment_text("no return", c.no_return) +
+         moment_text("complete", c.complete);
+}
+
+std::string debris_text(const structures::Collapse& c) {
+  return fmt::format(
+      "{:.2f} m beyond the left face, {:.2f} m beyond the right; hits of {} kJ in all; {} m2 of "
+      "voids remain",
+      c.footprint.left.reach, c.footprint.right.reach, significant(c.impact_energy / 1e3, 3),
+      significant(c.void_area, 3));
+}
+
 std::string numbers_text(const RunResult& r) {
   return fmt::format(
       "energy error {} % of the input{}, deepest overlap {} % of a block, {} steps in {:.1f} s",
@@ -152,6 +169,10 @@ std::vector<ToneLine> answer_text(const RunResult& r) {
   lines.push_back({row("residual", residual_text(r.response))});
   lines.push_back({row("response", shear_text(r.response))});
   lines.push_back({row("losses", losses_text(r.response, r.model.blocks.size()))});
+  if (r.collapse.happened()) {
+    lines.push_back({row("fall", collapse_text(r.collapse))});
+    lines.push_back({row("debris", debris_text(r.collapse))});
+  }
   lines.push_back({row("numbers", numbers_text(r))});
   if (r.ensemble.members.size() > 1) {
     lines.push_back({row("ensemble", collapse_text(r.ensemble))});

@@ -80,6 +80,9 @@ std::vector<NamedFigure> all_figures(const RunResult& run) {
   if (!run.response.roof_displacement.empty()) {
     out.push_back({"roof_and_base_shear", shear_words(run), roof_and_base_shear_figure(run)});
   }
+  if (run.collapse.happened())
+    out.push_back(
+        {"mass_lost", "Part of each storey's mass that was lost, against time.", mass_lost_figure(run)});
   add_balance(run, out);
   return out;
 }

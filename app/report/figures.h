@@ -17,6 +17,8 @@ Figure spectrum_figure(const RunResult& run);
 Figure drift_profile_figure(const RunResult& run);
 Figure drift_histories_figure(const RunResult& run);
 Figure roof_and_base_shear_figure(const RunResult& run);
+/// Of each storey over time. Needs a lost block.
+Figure mass_lost_figure(const RunResult& run);
 Figure energy_figure(const RunResult& run);
 Figure overlap_figure(const RunResult& run);
 

@@ -237,6 +237,21 @@ Figure roof_and_base_shear_figure(const RunResult& run) {
   return stacked(stack);
 }
 
+Figure mass_lost_figure(const RunResult& run) {
+  const auto& times = run.response.times;
+  Range shown = time_range(times);  // from a little before the collapse began
+  const double began = run.collapse.initiation.value_or(shown.low);
+  shown.low = std::max(shown.low, began - 0.1 * (shown.high - began) - 1.0);
+  Stack stack{"Mass lost from each storey", run_line(run), "Time, t (s)", shown, {}, 60};
+  Panel panel{"Mass lost (%)", {}, {}, "", ink::quiet, 200, 1.0};
+  for (std::size_t i = 0; i < run.response.storeys.size(); ++i) {
+    const StoreyResponse& storey = run.response.storeys[i];
+    panel.curves.push_back({times, scaled(storey.mass_lost, 100.0), category(i), 1.6, false, storey.name});
+  }
+  stack.panels = {panel};
+  return stacked(stack);
+}
+
 Figure energy_figure(const RunResult& run) {
   Stack stack{"Energy balance",
               run_line(run) + "; gravity: change since the start",

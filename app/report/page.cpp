@@ -50,6 +50,7 @@ std::string report_page(const RunResult& run, const std::vector<Picture>& pictur
                                 {"motion", "The ground motion", page_motion(run, pictures)},
                                 {"response", "The response", page_response(run, pictures)},
                                 {"damage", "Damage of the bonds", page_damage(run)},
+                                {"fall", "How it fell", page_collapse(run, pictures)},
                                 {"spread", "How sure", page_spread(run)},
                                 {"energy", "Energy balance", page_energy(run, pictures)},
                                 {"film", "What it looked like", page_film(run, pictures)},

@@ -19,6 +19,7 @@ Html page_model(const RunResult& run, const std::vector<Picture>& pictures);
 Html page_motion(const RunResult& run, const std::vector<Picture>& pictures);
 Html page_response(const RunResult& run, const std::vector<Picture>& pictures);
 Html page_damage(const RunResult& run);
+Html page_collapse(const RunResult& run, const std::vector<Picture>& pictures);
 Html page_spread(const RunResult& run);
 Html page_energy(const RunResult& run, const std::vector<Picture>& pictures);
 Html page_film(const RunResult& run, const std::vector<Picture>& pictures);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "app/report/collapse_sequence.h"
 #include "app/report/csv.h"
 #include "app/report/figures.h"
 #include "app/report/model_svg.h"
@@ -47,6 +48,10 @@ void write_tables(const RunResult& run, Output& output) {
   output.write("energy.csv", energy_csv(run));
   if (!run.model.bonded.empty()) output.write("damage.csv", damage_csv(run));
   output.write("motion.csv", motion_csv(run));
+  if (!run.collapse.happened()) return;
+  output.write("collapse_sequence.csv", collapse_sequence_csv(run));
+  output.write("falls.csv", falls_csv(run));
+  output.write("mass_lost.csv", mass_lost_csv(run));
 }
 
 void write_plots(const RunResult& run, Output& output, std::vector<Picture>& pictures) {

@@ -159,6 +159,50 @@ void walk_response(A& a, R& response) {
   });
 }
 
+template <class A, class S>
+void walk_side(A& a, const char* name, S& side) {
+  a.group(name, [&] {
+    a.field("reach", "m", side.reach);
+    a.field("mass", "kg", side.mass);
+  });
+}
+
+template <class A, class C>
+void walk_collapse(A& a, C& collapse) {
+  using structures::Fall;
+  using structures::Void;
+  a.field("mode", "", collapse.mode);
+  a.field("reasons", "", collapse.reasons);
+  a.field("initiation", "s", collapse.initiation);
+  a.field("no_return", "s", collapse.no_return);
+  a.field("complete", "s", collapse.complete);
+  a.field("first_touch", "s", collapse.first_touch);
+  a.group("footprint", [&] {
+    a.field("face_left", "m", collapse.footprint.face_left);
+    a.field("face_right", "m", collapse.footprint.face_right);
+    a.field("foot", "m", collapse.footprint.foot);
+    a.field("height", "m", collapse.footprint.height);
+    walk_side(a, "left", collapse.footprint.left);
+    walk_side(a, "right", collapse.footprint.right);
+    a.field("over_the_edge", "", collapse.footprint.over_the_edge);
+  });
+  a.table("falls", collapse.falls, [&] {
+    a.column("block", "", collapse.falls, &Fall::block);
+    a.column("support_lost", "s", collapse.falls, &Fall::support_lost);
+    a.column("hit", "s", collapse.falls, &Fall::hit);
+    a.column("speed", "m/s", collapse.falls, &Fall::speed);
+    a.column("energy", "J", collapse.falls, &Fall::energy);
+  });
+  a.field("impact_energy", "J", collapse.impact_energy);
+  a.table("voids", collapse.voids, [&] {
+    a.column("area", "m2", collapse.voids, &Void::area);
+    a.column("diameter", "m", collapse.voids, &Void::diameter);
+    a.column("middle", "m", collapse.voids, &Void::middle);
+  });
+  a.field("void_area", "m2", collapse.void_area);
+  a.field("void_area_before", "m2", collapse.void_area_before);
+}
+
 template <class A, class R>
 void walk_energy(A& a, R& energy) {
   a.field("input", "J", energy.input);
@@ -244,6 +288,7 @@ void walk_run(A& a, Run& run) {
   });
   a.group("trajectory", [&] { walk_trajectory(a, run.trajectory); });
   a.group("response", [&] { walk_response(a, run.response); });
+  a.optional_group("collapse", [&] { walk_collapse(a, run.collapse); });
   a.group("energy", [&] { walk_energy(a, run.energy); });
   a.group("numerics", [&] { walk_numerics(a, run.numerics); });
   a.group("reproducibility", [&] { walk_reproducibility(a, run.reproducibility); });

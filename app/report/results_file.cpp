@@ -26,6 +26,12 @@ VerdictKind verdict_named(const std::string& text) {
   throw h5::Error("unknown verdict \"" + text + "\"");
 }
 
+structures::CollapseMode mode_named(const std::string& text) {
+  for (const structures::CollapseMode mode : structures::collapse_modes)
+    if (structures::to_string(mode) == text) return mode;
+  throw h5::Error("unknown mode of collapse \"" + text + "\"");
+}
+
 /// Walks a RunResult and fills it.
 class Reader {
  public:
@@ -84,6 +90,9 @@ class Reader {
   }
   void field(const std::string& name, const char*, VerdictKind& kind) {
     kind = verdict_named(one(h5::read_texts(here_, name), name));
+  }
+  void field(const std::string& name, const char*, structures::CollapseMode& mode) {
+    mode = mode_named(one(h5::read_texts(here_, name), name));
   }
   void field(const std::string& name, const char*, std::optional<double>& value) {
     value.reset();

@@ -6,6 +6,7 @@
 
 #include "app/report/hdf5.h"
 #include "engine/vec2.h"
+#include "structures/collapse_mode.h"
 #include "structures/verdict.h"
 
 namespace dougong::app {
@@ -61,6 +62,9 @@ class ResultsWriter {
   }
   void field(const std::string& name, const char*, structures::VerdictKind kind) {
     field(name, "", structures::to_string(kind));
+  }
+  void field(const std::string& name, const char*, structures::CollapseMode mode) {
+    field(name, "", structures::to_string(mode));
   }
   void field(const std::string& name, const char* unit, const std::optional<double>& value) {
     if (value) field(name, unit, *value);

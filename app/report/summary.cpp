@@ -1,5 +1,6 @@
 #include "app/report/summary.h"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -75,6 +76,39 @@ Json metrics_part(const RunResult& run) {
           {"blocks_lost", metric(static_cast<double>(r.losses.size()), "1")},
           {"fallen_mass_fraction", metric(r.fallen_mass_fraction, "1")},
           {"storeys", storeys}};
+}
+
+Json side_part(const structures::Side& side) {
+  return {{"reach", metric(side.reach, "m")}, {"mass", metric(side.mass, "kg")}};
+}
+
+Json footprint_part(const structures::Footprint& f) {
+  return {{"height", metric(f.height, "m")},
+          {"left", side_part(f.left)},
+          {"right", side_part(f.right)},
+          {"over_the_edge", f.over_the_edge}};
+}
+
+Json voids_part(const structures::Collapse& c) {
+  return {{"count", c.voids.size()},
+          {"area", metric(c.void_area, "m2")},
+          {"area_before", metric(c.void_area_before, "m2")},
+          {"largest_diameter", metric(c.voids.empty() ? 0.0 : c.voids.front().diameter, "m")}};
+}
+
+Json collapse_part(const structures::Collapse& c) {
+  const auto hardest = std::ranges::max_element(c.falls, {}, &structures::Fall::energy);
+  return {{"mode", to_string(c.mode)},
+          {"reasons", c.reasons},
+          {"initiation", number(c.initiation)},
+          {"no_return", number(c.no_return)},
+          {"complete", number(c.complete)},
+          {"first_touch", number(c.first_touch)},
+          {"footprint", footprint_part(c.footprint)},
+          {"impact_energy", metric(c.impact_energy, "J")},
+          {"hardest_hit",
+           hardest == c.falls.end() ? metric(0.0, "J") : metric(hardest->energy, "J", hardest->hit)},
+          {"voids", voids_part(c)}};
 }
 
 double last(const std::vector<double>& values) {
@@ -187,6 +221,7 @@ std::string summary_json(const RunResult& run, const std::vector<std::string>& f
            {"provenance", provenance_part(run)},
            {"reproducibility", reproducibility_part(run.reproducibility)},
            {"files", files}};
+  if (run.collapse.happened()) out["collapse"] = collapse_part(run.collapse);
   if (run.ensemble.members.size() > 1) out["ensemble"] = ensemble_part(run.ensemble);
   return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

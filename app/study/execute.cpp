@@ -189,6 +189,8 @@ RunResult execute(Preparation& p, const std::string& command, const ProgressObse
   result.verdict = stands(p) ? structures::judge(result.response, evidence_of(result.numerics, run, recorder),
                                                  p.scenario.verdict)
                              : early_verdict;
+  if (result.verdict.kind != structures::VerdictKind::numerically_invalid)
+    result.collapse = structures::describe_collapse(p.building, recorder.trajectory, p.scenario.loss);
   result.model.bonded = std::move(recorder.bonds);
   result.trajectory = std::move(recorder.trajectory);
   result.energy = std::move(recorder.energies.energy);

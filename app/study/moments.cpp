@@ -27,6 +27,7 @@ void add_peak_drift(const RunResult& r, std::vector<Moment>& moments) {
 void add_losses(const RunResult& r, std::vector<Moment>& moments) {
   if (r.response.first_loss_of_support)
     moments.push_back({*r.response.first_loss_of_support, "first loss of support"});
+  if (r.collapse.no_return) moments.push_back({*r.collapse.no_return, "point of no return"});
   for (const auto& storey : r.response.storeys)
     if (storey.lost_at) moments.push_back({*storey.lost_at, storey.name + " lost"});
 }

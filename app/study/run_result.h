@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/vec2.h"
+#include "structures/collapse.h"
 #include "structures/response.h"
 #include "structures/verdict.h"
 
@@ -175,7 +176,8 @@ struct RunResult {
   SettleSheet settle;
   structures::Trajectory trajectory;
   structures::Response response;
-  EnergyHistory energy;  // at trajectory.times
+  structures::Collapse collapse;  // nothing happened where the numbers failed
+  EnergyHistory energy;           // at trajectory.times
   Numerics numerics;
   Reproducibility reproducibility;
   std::vector<Moment> moments;

@@ -324,6 +324,14 @@ RunResult collapsed() {
   run.response.losses = {{0, 11.3, "fell 1.30 m"}, {1, 11.34, "turned 41 deg"}, {2, 11.5, "fell 1.50 m"}};
   run.response.first_loss_of_support = 11.3;
   run.response.fallen_mass_fraction = 0.78;
+  run.collapse.mode = structures::CollapseMode::soft_storey;
+  run.collapse.reasons = {"S1 had 81 % of the displacement between the 4 storeys at 11.30 s."};
+  run.collapse.initiation = 11.2, run.collapse.no_return = 11.1, run.collapse.complete = 11.5;
+  run.collapse.footprint = {-3.0, 3.0, 0.0, 12.0, {1.4, 2000.0}, {0.0, 0.0}, 1};
+  run.collapse.falls = {{0, 11.2, 12.1, 5.5, 39000.0}, {2, 11.4, 12.2, 6.1, 101000.0}};
+  run.collapse.impact_energy = 140000.0;
+  run.collapse.voids = {{3.2, 1.1, {-1.0, 0.6}}};
+  run.collapse.void_area = 3.2, run.collapse.void_area_before = 52.0;
   run.response.blocks = run.model.blocks.size();
   run.response.peak_base_shear_ratio = {{0.31, 9.2}, {-0.28, 9.7}};
   run.response.greatest_lean = {"S4.column.left", -0.02, 0.115};

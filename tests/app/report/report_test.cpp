@@ -85,12 +85,28 @@ TEST(Report, WritesEveryFileIntoAFolderWithSpaces) {
   const fs::path out = folder.path() / "my run, 'quoted' ü";
   const auto files = write_report(fixtures::collapsed(), out);
   for (const fs::path& file : files) EXPECT_GT(fs::file_size(file), 100u) << file;
-  for (const char* name :
-       {"report.html", "summary.json", "drift.csv", "acceleration.csv", "roof_and_base_shear.csv",
-        "energy.csv", "motion.csv", "figures/motion.svg", "figures/spectrum.png", "figures/drift_profile.svg",
-        "figures/drift_histories.svg", "figures/roof_and_base_shear.svg", "figures/energy.svg",
-        "figures/overlap.svg", "figures/model.svg", "figures/scene.png", "figures/film_strip.png",
-        "figures/frame_8.png"}) {
+  for (const char* name : {"report.html",
+                           "summary.json",
+                           "drift.csv",
+                           "acceleration.csv",
+                           "roof_and_base_shear.csv",
+                           "energy.csv",
+                           "motion.csv",
+                           "figures/motion.svg",
+                           "figures/spectrum.png",
+                           "figures/drift_profile.svg",
+                           "figures/drift_histories.svg",
+                           "figures/roof_and_base_shear.svg",
+                           "figures/energy.svg",
+                           "figures/overlap.svg",
+                           "figures/mass_lost.svg",
+                           "collapse_sequence.csv",
+                           "falls.csv",
+                           "mass_lost.csv",
+                           "figures/model.svg",
+                           "figures/scene.png",
+                           "figures/film_strip.png",
+                           "figures/frame_8.png"}) {
     EXPECT_THAT(files, testing::Contains(out / name));
   }
   EXPECT_LT(fs::file_size(out / "report.html"), 5'000'000u);
@@ -124,6 +140,22 @@ TEST(Page, ListsTheDamageOfTheBondsInOrder) {
   EXPECT_LT(head, base) << "the first to crack comes first";
   EXPECT_EQ(page.find(">sound<"), std::string::npos);
   EXPECT_THAT(report_page(fixtures::survived(), {}), HasSubstr("Nothing is bonded in this building."));
+}
+
+TEST(Page, TellsHowItFell) {
+  const std::string page = page_of(fixtures::collapsed());
+  for (const char* words :
+       {"Mode: soft storey, one storey took most of the sideways displacement.", "81 % of the displacement",
+        "Point of no return", "11.10 s", "140.0 kJ in all 2 blocks", "1 block fell over the end",
+        "3.2 m², 6 % of the 52.0 m² before"})
+    EXPECT_THAT(page, HasSubstr(words));
+  EXPECT_THAT(page_of(fixtures::survived()), HasSubstr("No block was lost."));
+}
+
+TEST(Page, DoesNotTellHowFailedNumbersFell) {
+  RunResult run = fixtures::survived();
+  run.verdict.kind = structures::VerdictKind::numerically_invalid;
+  EXPECT_THAT(page_of(run), HasSubstr("the numbers failed, so nothing is said of a fall"));
 }
 
 TEST(Page, SaysHowSureItIs) {

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "app/report/axis.h"
+#include "app/report/collapse_sequence.h"
 #include "app/report/colour.h"
 #include "app/report/csv.h"
 #include "app/report/decimate.h"
@@ -92,6 +93,37 @@ TEST(DamageCsv, HasEveryBondWithItsStoreyAndTimes) {
   EXPECT_EQ(damage_csv(fixtures::repeated()),
             "bond,storey,mode,cracked (s),broken (s)\nbase,S1,tension,9.5,9.7\nhead,S1,shear,9.1,\n"
             "sound,S2,,,\n");
+}
+
+TEST(CollapseCsv, HasBondsSupportsAndStoreysInOrder) {
+  RunResult run = fixtures::repeated();
+  const auto rows = cells(collapse_sequence_csv(run));
+  std::vector<std::string> order;
+  for (std::size_t i = 1; i < rows.size(); ++i) order.push_back(rows[i][1] + " " + rows[i][2]);
+  EXPECT_THAT(order, testing::ElementsAre("bond cracked head", "bond cracked base", "bond broke base",
+                                          "support lost S1.column.left", "storey lost S1",
+                                          "support lost S1.slab", "storey lost S2"));
+  EXPECT_EQ(
+      falls_csv(run),
+      "block,storey,how,support lost (s),hardest hit (s),speed (m/s),energy (J)\n"
+      "S1.column.left,S1,fell 1.30 m,11.2,12.1,5.5,39000\nS1.slab,S1,fell 1.50 m,11.4,12.2,6.1,101000\n");
+}
+
+TEST(CollapseCsv, MassLostIsThePartTimesTheStoreysMass) {
+  const RunResult run = fixtures::collapsed();
+  const auto rows = cells(mass_lost_csv(run));
+  ASSERT_EQ(rows.size(), run.response.times.size() + 1);
+  EXPECT_EQ(number(rows.back()[2]), 0.8);
+  EXPECT_EQ(number(rows.back()[1]), 0.8 * run.response.storeys[0].original_mass);
+  EXPECT_EQ(number(rows[1][1]), 0.0);
+}
+
+TEST(Summary, TellsOfACollapseOnlyWhereThereWasOne) {
+  EXPECT_FALSE(Json::parse(summary_json(fixtures::survived(), {})).contains("collapse"));
+  const Json collapse = Json::parse(summary_json(fixtures::collapsed(), {}))["collapse"];
+  EXPECT_EQ(collapse["mode"], "soft storey");
+  EXPECT_EQ(collapse["footprint"]["left"]["reach"]["value"], 1.4);
+  EXPECT_EQ(collapse["hardest_hit"]["time"], 12.2);
 }
 
 TEST(Summary, FollowsItsSchema) {
