@@ -1,17 +1,133 @@
 #include "app/report/comparison_report.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "app/report/comparison_csv.h"
+#include "app/report/comparison_figures.h"
+#include "app/report/comparison_legend.h"
+#include "app/report/comparison_page.h"
+#include "app/report/report_output.h"
 #include "app/report/safe_file.h"
 
 namespace dougong::app {
+namespace {
 
-std::vector<std::string> write_comparison(const Comparison& comparison, const RunLoader&,
+constexpr std::size_t told_records = 3;    // with histories, failures and film strips; the tables have all
+constexpr std::size_t told_failures = 10;  // of each run
+constexpr std::size_t strip_frames = 6;
+
+/// Draws everything, and remembers what the page says of it.
+class Writer {
+ public:
+  Writer(const Comparison& comparison, const RunLoader& load, const std::filesystem::path& folder)
+      : c_(comparison), load_(load), output_(folder) {}
+
+  std::vector<std::string> write() {
+    const auto differences = differences_of(c_);
+    const auto collapses = collapses_of(c_);
+    output_.write("compare.csv", comparison_csv(c_));
+    output_.write("differences.csv", differences_csv(c_, differences, collapses));
+    for (const View view : c_.views) draw_view(view, differences);
+    const ComparisonPage page{c_,      differences, collapses, pictures_, std::move(stories_),
+                              layout_, command_,    version_};
+    output_.write("compare.html", comparison_page(page));
+    std::vector<std::string> names = output_.names();
+    std::rotate(names.begin(), names.end() - 1, names.end());
+    return names;
+  }
+
+ private:
+  void draw_view(View view, const std::vector<Difference>& differences) {
+    for (const NamedFigure& figure : difference_figure(c_, view, differences)) add(figure);
+    for (std::size_t record = 0; record < std::min(c_.records.size(), told_records); ++record) {
+      const Runs runs = described(view, record);
+      if (runs.results.size() < 2) continue;
+      note_reference(runs.results.front());
+      if (record == 0)
+        for (const NamedFigure& figure : profile_figure(c_, view, by_variant(runs))) add(figure);
+      tell(view, record, runs);
+    }
+  }
+
+  struct Runs {
+    std::vector<std::size_t> variants;
+    std::vector<RunResult> results;
+  };
+
+  Runs described(View view, std::size_t record) const {
+    Runs runs;
+    for (std::size_t v = 0; v < drawn_variants(c_); ++v)
+      if (const ComparedRun* run = c_.find(view, v, record)) {
+        runs.variants.push_back(v);
+        runs.results.push_back(load_(*run));
+      }
+    return runs;
+  }
+
+  std::vector<RunResult> by_variant(const Runs& runs) const {
+    std::vector<RunResult> all(drawn_variants(c_));
+    for (std::size_t i = 0; i < runs.variants.size(); ++i) all[runs.variants[i]] = runs.results[i];
+    return all;
+  }
+
+  void note_reference(const RunResult& run) {
+    layout_ = run.model.layout;
+    command_ = run.reproducibility.command;
+    version_ = fmt::format("dougong {} ({}, {})", run.reproducibility.version, run.reproducibility.git_hash,
+                           run.reproducibility.compiler);
+  }
+
+  void tell(View view, std::size_t record, const Runs& runs) {
+    RecordStory story;
+    story.view = view, story.record = record, story.variants = runs.variants;
+    for (const RunResult& run : runs.results) {
+      story.failures.push_back(first_failures(run, told_failures));
+      story.verdicts.push_back(run.verdict.headline);
+    }
+    const NamedFigure histories = overlaid_histories(c_, view, record, by_variant(runs));
+    story.histories = "figures/" + histories.name + ".svg";
+    add(histories);
+    const std::vector<double> times = common_moments(runs.results, strip_frames);
+    const SceneView scene = common_view(runs.results, times);
+    for (std::size_t i = 0; i < runs.results.size(); ++i)
+      story.strips.push_back(draw_strip(story, i, runs.results[i], times, scene));
+    stories_.push_back(std::move(story));
+  }
+
+  // The strip is headed by the variant as well as by the layout.
+  std::string draw_strip(const RecordStory& story, std::size_t i, RunResult run,
+                         const std::vector<double>& times, const SceneView& scene) {
+    run.model.layout += ", " + letter(story.variants[i]) + "  " + c_.variants[story.variants[i]].name;
+    const std::vector<Frame> frames = frames_at(run, times);
+    if (frames.empty()) return "";
+    const std::string name =
+        fmt::format("figures/film_strip_{}_{}{}.png", folder_name(c_.records[story.record]),
+                    letter(story.variants[i]), story.view == View::same_sa ? "_same_sa" : "");
+    write_image(name, draw_film_strip(run, frames, scene), scene.scale,
+                fmt::format("{} at {} moments: {}", c_.variants[story.variants[i]].name, frames.size(),
+                            run.verdict.headline),
+                output_, pictures_);
+    return name;
+  }
+
+  void add(const NamedFigure& figure) { write_figure(figure, output_, pictures_); }
+
+  const Comparison& c_;
+  const RunLoader& load_;
+  Output output_;
+  std::vector<Picture> pictures_;
+  std::vector<RecordStory> stories_;
+  std::string layout_, command_, version_;
+};
+
+}  // namespace
+
+std::vector<std::string> write_comparison(const Comparison& comparison, const RunLoader& load,
                                           const std::filesystem::path& folder) {
-  const auto differences = differences_of(comparison);
-  const auto collapses = collapses_of(comparison);
-  write_file(folder / "compare.csv", comparison_csv(comparison));
-  write_file(folder / "differences.csv", differences_csv(comparison, differences, collapses));
-  return {"compare.csv", "differences.csv"};
+  make_directory(folder / "figures");
+  return Writer(comparison, load, folder).write();
 }
 
 }  // namespace dougong::app

@@ -156,7 +156,7 @@ Figure stacked(const Stack& asked) {
   figure.script = plain_style() + "set multiplot\n" +
                   fmt::format("set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\n",
                               left / double(width), 1.0 - stack.right_margin / double(width)) +
-                  heading(stack.title, stack.subtitle, width, figure.height);
+                  heading(stack.title, stack.subtitle, width, figure.height) + stack.labels;
   double from_top = top;
   for (std::size_t i = 0; i < stack.panels.size(); ++i) {
     if (i + 1 == stack.panels.size())

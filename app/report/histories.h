@@ -43,8 +43,9 @@ struct Stack {
   std::string x_label = "Time, t (s)";
   Range x;
   std::vector<Panel> panels;
-  int right_margin = 30;  // px; room for labels at the ends
-  int room_below = 0;     // px under the panels, for `below`: plots of another kind on the same sheet
+  int right_margin = 30;    // px; room for labels at the ends
+  std::string labels = {};  // "set label ..." of the whole sheet, beside the heading
+  int room_below = 0;       // px under the panels, for `below`: plots of another kind on the same sheet
   std::string below = {};
 };
 

@@ -8,35 +8,18 @@
 #include "app/report/colour.h"
 #include "app/report/figures.h"
 #include "app/report/histories.h"
+#include "app/report/levels.h"
 #include "app/report/text.h"
 
 namespace dougong::app {
 namespace {
 
 using structures::Peak;
-using structures::StoreyResponse;
 
 constexpr int width = 540, left = 78, right = 34, top = 74, bottom = 56;  // px
 constexpr int label_height = 17;                                          // px a line of text needs
 constexpr double label_room = 2.45;                                       // drift axis over the largest peak
 const Colour positive_colour = category(0), negative_colour = category(1);
-
-struct Level {
-  double base, top;
-  const StoreyResponse* storey;
-};
-
-std::vector<Level> levels_of(const RunResult& run) {
-  std::vector<Level> levels;
-  double base = run.model.storeys.empty() ? 0.0 : run.model.storeys.front().base;
-  for (std::size_t i = 0; i < run.response.storeys.size(); ++i) {
-    const StoreyResponse& storey = run.response.storeys[i];
-    if (i < run.model.storeys.size()) base = run.model.storeys[i].base;
-    if (!storey.is_base) levels.push_back({base, base + storey.height, &storey});
-    base += storey.height;
-  }
-  return levels;
-}
 
 double percent(const Peak& peak) {
   return 100.0 * peak.value;

@@ -7,6 +7,7 @@
 #include "app/report/figures.h"
 #include "app/report/model_svg.h"
 #include "app/report/page.h"
+#include "app/report/report_output.h"
 #include "app/report/safe_file.h"
 #include "app/report/scene.h"
 #include "app/report/summary.h"
@@ -18,28 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* svg_type = "image/svg+xml";
-constexpr const char* png_type = "image/png";
 constexpr double first_screen_width = 330;  // px at 1x, beside the drift profile
-
-/// Writes files and remembers them.
-class Output {
- public:
-  explicit Output(fs::path folder) : folder_(std::move(folder)) {}
-  void write(const std::string& name, std::string_view bytes) {
-    write_file(folder_ / name, bytes);
-    names_.push_back(name);
-  }
-  const std::vector<std::string>& names() const { return names_; }
-  std::vector<fs::path> paths() const {
-    std::vector<fs::path> out;
-    for (const std::string& name : names_) out.push_back(folder_ / name);
-    return out;
-  }
-
- private:
-  fs::path folder_;
-  std::vector<std::string> names_;
-};
 
 void write_tables(const RunResult& run, Output& output) {
   output.write("drift.csv", drift_csv(run));
@@ -55,20 +35,12 @@ void write_tables(const RunResult& run, Output& output) {
 }
 
 void write_plots(const RunResult& run, Output& output, std::vector<Picture>& pictures) {
-  for (const NamedFigure& named : all_figures(run)) {
-    const DrawnFigure drawn = draw(named.figure);
-    const std::string name = "figures/" + named.name;
-    output.write(name + ".svg", drawn.svg);
-    output.write(name + ".png", drawn.png);
-    pictures.push_back({name + ".svg", svg_type, drawn.svg, named.alt, named.figure.width});
-  }
+  for (const NamedFigure& named : all_figures(run)) write_figure(named, output, pictures);
 }
 
 void add_png(const std::string& name, const Image& image, const std::string& alt, Output& output,
              std::vector<Picture>& pictures) {
-  const std::string bytes = png_of(image);
-  output.write(name, bytes);
-  pictures.push_back({name, png_type, bytes, alt, static_cast<int>(image.width / SceneView{}.scale)});
+  write_image(name, image, SceneView{}.scale, alt, output, pictures);
 }
 
 void write_model(const RunResult& run, Output& output, std::vector<Picture>& pictures) {

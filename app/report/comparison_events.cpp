@@ -1,0 +1,115 @@
+#include "app/report/comparison_events.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/report/text.h"
+
+namespace dougong::app {
+namespace {
+
+constexpr double least_gap = 0.03;  // of the duration, between two moments
+constexpr double near = 0.05;       // s, of a moment that has a name
+
+void add_bonds(const RunResult& run, std::vector<Event>& events) {
+  for (const DrawnBond& bond : run.model.bonded) {
+    if (bond.cracked < DrawnBond::never)
+      events.push_back(
+          {bond.cracked, bond.name + " cracked" + (bond.mode.empty() ? "" : " in " + bond.mode)});
+    if (bond.broken < DrawnBond::never) events.push_back({bond.broken, bond.name + " broke"});
+  }
+}
+
+void add_losses(const RunResult& run, std::vector<Event>& events) {
+  for (const structures::BlockLoss& loss : run.response.losses)
+    if (loss.block < run.model.blocks.size())
+      events.push_back({loss.time, run.model.blocks[loss.block].name + " " + loss.reason});
+  for (const structures::StoreyResponse& storey : run.response.storeys)
+    if (storey.lost_at) events.push_back({*storey.lost_at, storey.name + " lost"});
+}
+
+double end_of(const RunResult& run) {
+  return run.trajectory.times.empty() ? 0.0 : run.trajectory.times.back();
+}
+
+// Those of all runs, the more telling first.
+std::vector<double> candidates(const std::vector<RunResult>& runs) {
+  std::vector<double> times{0.0};
+  for (const RunResult& run : runs) times.push_back(end_of(run));
+  for (const char* what : {"first loss of support", "peak drift", "strongest shaking"})
+    for (const RunResult& run : runs)
+      for (const Moment& moment : run.moments)
+        if (moment.caption.starts_with(what)) times.push_back(moment.time);
+  return times;
+}
+
+std::string caption_at(const RunResult& run, double time) {
+  if (time > end_of(run) + near) return "ended at " + seconds(end_of(run));
+  std::string caption;
+  for (const Moment& moment : run.moments)
+    if (std::abs(moment.time - time) <= near) caption += (caption.empty() ? "" : "; ") + moment.caption;
+  return caption;
+}
+
+std::size_t step_at(const std::vector<double>& times, double time) {
+  const auto after = std::lower_bound(times.begin(), times.end(), time);
+  if (after == times.begin()) return 0;
+  if (after == times.end()) return times.size() - 1;
+  const auto i = static_cast<std::size_t>(after - times.begin());
+  return time - times[i - 1] < times[i] - time ? i - 1 : i;
+}
+
+}  // namespace
+
+std::vector<Event> first_failures(const RunResult& run, std::size_t most) {
+  std::vector<Event> events;
+  add_bonds(run, events);
+  add_losses(run, events);
+  std::stable_sort(events.begin(), events.end(),
+                   [](const Event& a, const Event& b) { return a.time < b.time; });
+  events.resize(std::min(events.size(), most));
+  return events;
+}
+
+std::vector<double> common_moments(const std::vector<RunResult>& runs, std::size_t most) {
+  double end = 0.0;
+  for (const RunResult& run : runs) end = std::max(end, end_of(run));
+  std::vector<double> chosen;
+  for (const double time : candidates(runs)) {
+    const bool apart =
+        std::ranges::all_of(chosen, [&](double other) { return std::abs(other - time) >= least_gap * end; });
+    if (apart && chosen.size() < most) chosen.push_back(time);
+  }
+  std::sort(chosen.begin(), chosen.end());
+  return chosen;
+}
+
+std::vector<Frame> frames_at(const RunResult& run, const std::vector<double>& times) {
+  std::vector<Frame> frames;
+  if (run.trajectory.times.empty()) return frames;
+  for (const double time : times) {
+    const std::size_t step = step_at(run.trajectory.times, time);
+    frames.push_back({step, run.trajectory.times[step], caption_at(run, time)});
+  }
+  return frames;
+}
+
+SceneView common_view(const std::vector<RunResult>& runs, const std::vector<double>& times) {
+  SceneView common;
+  bool first = true;
+  for (const RunResult& run : runs) {
+    const std::vector<Frame> frames = frames_at(run, times);
+    if (frames.empty()) continue;
+    const SceneView view = view_of(run, frames);
+    if (first) common = view;
+    first = false;
+    common.box.low = {std::min(common.box.low.x, view.box.low.x), std::min(common.box.low.y, view.box.low.y)};
+    common.box.high = {std::max(common.box.high.x, view.box.high.x),
+                       std::max(common.box.high.y, view.box.high.y)};
+    common.magnification = std::min(common.magnification, view.magnification);
+    common.largest = std::max(common.largest, view.largest);
+  }
+  return common;
+}
+
+}  // namespace dougong::app

@@ -1,0 +1,18 @@
+// The storeys of a building as a profile draws them: each between its true heights.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/study/run_result.h"
+
+namespace dougong::app {
+
+struct Level {
+  double base, top;                          // m
+  const structures::StoreyResponse* storey;  // of the run that it was made of
+};
+/// From below, without the level of isolators.
+std::vector<Level> levels_of(const RunResult& run);
+
+}  // namespace dougong::app
