@@ -13,7 +13,7 @@
 namespace dougong::app {
 namespace {
 
-constexpr int width = 880, left = 212, right = 30, top = 62, axis_room = 56;  // px
+constexpr int width = 880, left = 212, right = 30, top = 62, axis_room = 74;  // px
 constexpr double most = 400.0;       // %, where the axis ends at the latest
 constexpr double lane = 0.7;         // of a row, shared by the variants
 constexpr int full = 7, hollow = 6;  // point types of gnuplot

@@ -32,10 +32,17 @@ std::string drift_sentence(const ComparisonPage& page, const CollapseDifference&
                      finding_text(*it));
 }
 
+/// "collapses in 0 of 8 against 8 of 8: different"
+std::string collapse_clause(const CollapseDifference& d) {
+  if (d.counts.pairs() == 0) return "no pair has an answer to whether it collapses";
+  const std::string open =
+      d.left_out > 0 ? fmt::format(" ({} without an answer)", plural(d.left_out, "pair")) : "";
+  return fmt::format("collapses in {}{}: {}", counts_text(d), open, finding_text(d));
+}
+
 std::string sentence(const ComparisonPage& page, const CollapseDifference& d) {
-  return fmt::format("{} {} ({}): collapses in {}: {}{}.", letter(d.variant),
-                     page.comparison.variants[d.variant].name, to_string(d.view), counts_text(d),
-                     finding_text(d), drift_sentence(page, d));
+  return fmt::format("{} {} ({}): {}{}.", letter(d.variant), page.comparison.variants[d.variant].name,
+                     to_string(d.view), collapse_clause(d), drift_sentence(page, d));
 }
 
 bool proves_nothing(const ComparisonPage& page) {
@@ -161,7 +168,7 @@ Html runs_part(const ComparisonPage& page) {
     rows.push_back({run.folder, to_string(run.view), significant(run.factor, 4),
                     structures::to_string(run.sheet.members.front().verdict),
                     std::to_string(run.sheet.members.size()), run.sheet.members.front().state_hash});
-  return paragraph("Made by: " + page.command, "small") + paragraph(page.version, "small quiet") +
+  return raw("<pre>") + text(page.command) + raw("</pre>\n") + paragraph(page.version, "small quiet") +
          paragraph(
              "Every folder holds results.h5 and summary.json; “dougong report FOLDER” draws its report. "
              "The same command again runs only what is missing.") +

@@ -14,7 +14,7 @@
 namespace dougong::app {
 namespace {
 
-constexpr int width = 640, left = 78, right = 40, top = 74, axis_room = 56, plot_height = 340;  // px
+constexpr int width = 640, left = 78, right = 40, top = 74, axis_room = 74, plot_height = 340;  // px
 
 Spread drift_spread(const Comparison& c, View view, std::size_t variant, const std::string& storey) {
   std::vector<double> values;

@@ -42,34 +42,24 @@ class Writer {
   void draw_view(View view, const std::vector<Difference>& differences) {
     for (const NamedFigure& figure : difference_figure(c_, view, differences)) add(figure);
     for (std::size_t record = 0; record < std::min(c_.records.size(), told_records); ++record) {
-      const Runs runs = described(view, record);
-      if (runs.results.size() < 2) continue;
-      note_reference(runs.results.front());
+      const std::vector<RunResult> runs = described(view, record);
       if (record == 0)
-        for (const NamedFigure& figure : profile_figure(c_, view, by_variant(runs))) add(figure);
+        for (const NamedFigure& figure : profile_figure(c_, view, runs)) add(figure);
       tell(view, record, runs);
     }
   }
 
-  struct Runs {
-    std::vector<std::size_t> variants;
-    std::vector<RunResult> results;
-  };
-
-  Runs described(View view, std::size_t record) const {
-    Runs runs;
-    for (std::size_t v = 0; v < drawn_variants(c_); ++v)
-      if (const ComparedRun* run = c_.find(view, v, record)) {
-        runs.variants.push_back(v);
-        runs.results.push_back(load_(*run));
-      }
+  // By variant; without a trajectory where the view has no run of it.
+  std::vector<RunResult> described(View view, std::size_t record) {
+    std::vector<RunResult> runs(drawn_variants(c_));
+    for (std::size_t v = 0; v < runs.size(); ++v) {
+      const ComparedRun* run = c_.find(view, v, record);
+      if (!run) continue;
+      runs[v] = load_(*run);
+      if (v == 0) note_reference(runs[v]);
+      runs[v].model.layout += ", " + letter(v) + "  " + c_.variants[v].name;
+    }
     return runs;
-  }
-
-  std::vector<RunResult> by_variant(const Runs& runs) const {
-    std::vector<RunResult> all(drawn_variants(c_));
-    for (std::size_t i = 0; i < runs.variants.size(); ++i) all[runs.variants[i]] = runs.results[i];
-    return all;
   }
 
   void note_reference(const RunResult& run) {
@@ -79,36 +69,35 @@ class Writer {
                            run.reproducibility.compiler);
   }
 
-  void tell(View view, std::size_t record, const Runs& runs) {
+  void tell(View view, std::size_t record, const std::vector<RunResult>& runs) {
     RecordStory story;
-    story.view = view, story.record = record, story.variants = runs.variants;
-    for (const RunResult& run : runs.results) {
-      story.failures.push_back(first_failures(run, told_failures));
-      story.verdicts.push_back(run.verdict.headline);
-    }
-    const NamedFigure histories = overlaid_histories(c_, view, record, by_variant(runs));
+    story.view = view, story.record = record;
+    const NamedFigure histories = overlaid_histories(c_, view, record, runs);
     story.histories = "figures/" + histories.name + ".svg";
     add(histories);
-    const std::vector<double> times = common_moments(runs.results, strip_frames);
-    const SceneView scene = common_view(runs.results, times);
-    for (std::size_t i = 0; i < runs.results.size(); ++i)
-      story.strips.push_back(draw_strip(story, i, runs.results[i], times, scene));
+    const std::vector<double> times = common_moments(runs, strip_frames);
+    const SceneView scene = common_view(runs, times);
+    for (std::size_t v = 0; v < runs.size(); ++v) {
+      if (!c_.find(view, v, record)) continue;
+      story.variants.push_back(v);
+      story.failures.push_back(first_failures(runs[v], told_failures));
+      story.verdicts.push_back(runs[v].verdict.headline);
+      story.strips.push_back(draw_strip(story, v, runs[v], times, scene));
+    }
     stories_.push_back(std::move(story));
   }
 
-  // The strip is headed by the variant as well as by the layout.
-  std::string draw_strip(const RecordStory& story, std::size_t i, RunResult run,
+  std::string draw_strip(const RecordStory& story, std::size_t variant, const RunResult& run,
                          const std::vector<double>& times, const SceneView& scene) {
-    run.model.layout += ", " + letter(story.variants[i]) + "  " + c_.variants[story.variants[i]].name;
     const std::vector<Frame> frames = frames_at(run, times);
     if (frames.empty()) return "";
     const std::string name =
-        fmt::format("figures/film_strip_{}_{}{}.png", folder_name(c_.records[story.record]),
-                    letter(story.variants[i]), story.view == View::same_sa ? "_same_sa" : "");
-    write_image(name, draw_film_strip(run, frames, scene), scene.scale,
-                fmt::format("{} at {} moments: {}", c_.variants[story.variants[i]].name, frames.size(),
-                            run.verdict.headline),
-                output_, pictures_);
+        fmt::format("figures/film_strip_{}_{}{}.png", folder_name(c_.records[story.record]), letter(variant),
+                    story.view == View::same_sa ? "_same_sa" : "");
+    write_image(
+        name, draw_film_strip(run, frames, scene), scene.scale,
+        fmt::format("{} at {} moments: {}", c_.variants[variant].name, frames.size(), run.verdict.headline),
+        output_, pictures_);
     return name;
   }
 

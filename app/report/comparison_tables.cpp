@@ -26,11 +26,19 @@ Colour shade(double relative) {
   return mixed(ink::white, relative < 0.0 ? category(0) : category(1), share);
 }
 
+// A column is narrower than the word.
+std::string hyphened(std::string words) {
+  const std::string word = "distinguishable";
+  if (const auto at = words.find(word); at != std::string::npos)
+    words.replace(at, word.size(), "distin\u00ADguishable");
+  return words;
+}
+
 std::string heat_cell(const std::string& value, const std::string& more, const Colour* colour) {
   const std::string style =
       colour ? fmt::format(" style=\"background:{};color:#14161a\"", to_hex(*colour)) : std::string();
-  return fmt::format("<td class=\"n heat\"{}>{}<small>{}</small></td>", style, escape_markup(value),
-                     escape_markup(more));
+  return fmt::format("<td class=\"heat\"{}><b>{}</b><small>{}</small></td>", style, escape_markup(value),
+                     escape_markup(hyphened(more)));
 }
 
 std::string heat_cell(const Difference& d) {
@@ -64,9 +72,10 @@ std::vector<Difference> columns_of(const std::vector<Difference>& differences, V
 }
 
 std::string heat_head(const std::vector<Difference>& columns) {
-  std::string out = "<thead><tr><th scope=\"col\">Variant</th><th scope=\"col\" class=\"n\">collapses</th>";
+  std::string out =
+      "<thead><tr><th scope=\"col\">Variant</th><th scope=\"col\" class=\"heat\">collapses</th>";
   for (const Difference& d : columns)
-    out += "<th scope=\"col\" class=\"n\">" + escape_markup(d.metric) + "</th>";
+    out += "<th scope=\"col\" class=\"heat\">" + escape_markup(d.metric) + "</th>";
   return out + "</tr></thead>\n";
 }
 
@@ -98,7 +107,8 @@ std::string heat_row(const ComparisonPage& page, const CollapseDifference& colla
 Html heat_table(const ComparisonPage& page, View view) {
   const auto columns = columns_of(page.differences, view);
   if (columns.empty()) return {};
-  std::string out = "<div class=\"scroll\"><table>\n<caption>" + escape_markup(to_string(view)) +
+  std::string out = "<div class=\"scroll\"><table class=\"heat\">\n<caption>" +
+                    escape_markup(to_string(view)) +
                     ": medians; below them the mean difference to the reference, over its mean</caption>\n" +
                     heat_head(columns) + "<tbody>\n" + reference_row(page, view, columns);
   for (const CollapseDifference& collapse : page.collapses)

@@ -15,6 +15,7 @@ namespace {
 
 std::string with_sign(double value, const std::string& size) {
   if (!std::isfinite(value)) return "n/a";
+  if (size.find_first_of("123456789") == std::string::npos) return size;
   return value > 0.0 ? "+" + size : value < 0.0 ? "−" + size : size;
 }
 
@@ -78,7 +79,7 @@ std::string interval_text(const CollapseDifference& d) {
 std::string method_text(const Comparison& comparison, const std::vector<Difference>& differences) {
   const std::string pairs =
       "Every run of a variant is paired with the run of the reference on the same record with the same small "
-      "changes. ";
+      "changes. “Different” says that a difference is no chance, not that it matters: its size does that. ";
   const std::string bootstrap =
       "The interval of 95 % of their mean difference is the expanded percentile interval of a bootstrap with "
       "9999 resamples of ";

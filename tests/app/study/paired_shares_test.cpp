@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 
 #include "seismic/synthesis/random.h"
 
@@ -60,6 +61,7 @@ TEST(PairedShares, CoverTheTruthNineteenTimesOfTwenty) {
     const PairedShares s = compare_shares(drawn(trial, 20));
     held += s.low <= 0.3 && 0.3 <= s.high;
   }
+  std::printf("held %.3f of %d\n", held / double(trials), trials);
   EXPECT_NEAR(held / double(trials), 0.955, 0.025);
 }
 
