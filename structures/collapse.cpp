@@ -38,6 +38,12 @@ std::size_t initiation_of(const Building& building, const Losses& losses) {
   return of_storeys != never ? of_storeys : first_onset(lost_blocks(losses), losses);
 }
 
+/// When the storey was lost that was lost first; the first block when no storey was.
+std::size_t first_loss(const Losses& losses) {
+  if (const std::size_t level = first_lost(losses); level != never) return losses.levels[level].step;
+  return std::ranges::min_element(losses.blocks, {}, &Loss::step)->step;
+}
+
 /// Mean lift of the blocks by mass, relative to the ground and to the start (m): U over their weight.
 double lift(const Trajectory& trajectory, const Losses& losses, const Blocks& blocks, std::size_t step) {
   double sum = 0.0;
@@ -48,7 +54,7 @@ double lift(const Trajectory& trajectory, const Losses& losses, const Blocks& bl
 std::size_t no_return_of(const Building& building, const Trajectory& trajectory, const Losses& losses) {
   const std::size_t first = first_lost(losses);
   const Blocks blocks = first != never ? building.storeys[first].storey_blocks : lost_blocks(losses);
-  std::size_t step = first != never ? losses.levels[first].step : losses.blocks[blocks.front()].step;
+  std::size_t step = first_loss(losses);
   const auto u = [&](std::size_t k) { return lift(trajectory, losses, blocks, k); };
   while (step > 0 && u(step) < 0.0) --step;
   std::size_t crest = step;

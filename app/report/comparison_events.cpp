@@ -11,23 +11,6 @@ namespace {
 constexpr double least_gap = 0.03;  // of the duration, between two moments
 constexpr double near = 0.05;       // s, of a moment that has a name
 
-void add_bonds(const RunResult& run, std::vector<Event>& events) {
-  for (const DrawnBond& bond : run.model.bonded) {
-    if (bond.cracked < DrawnBond::never)
-      events.push_back(
-          {bond.cracked, bond.name + " cracked" + (bond.mode.empty() ? "" : " in " + bond.mode)});
-    if (bond.broken < DrawnBond::never) events.push_back({bond.broken, bond.name + " broke"});
-  }
-}
-
-void add_losses(const RunResult& run, std::vector<Event>& events) {
-  for (const structures::BlockLoss& loss : run.response.losses)
-    if (loss.block < run.model.blocks.size())
-      events.push_back({loss.time, run.model.blocks[loss.block].name + " " + loss.reason});
-  for (const structures::StoreyResponse& storey : run.response.storeys)
-    if (storey.lost_at) events.push_back({*storey.lost_at, storey.name + " lost"});
-}
-
 double end_of(const RunResult& run) {
   return run.trajectory.times.empty() ? 0.0 : run.trajectory.times.back();
 }
@@ -60,16 +43,6 @@ std::size_t step_at(const std::vector<double>& times, double time) {
 }
 
 }  // namespace
-
-std::vector<Event> first_failures(const RunResult& run, std::size_t most) {
-  std::vector<Event> events;
-  add_bonds(run, events);
-  add_losses(run, events);
-  std::stable_sort(events.begin(), events.end(),
-                   [](const Event& a, const Event& b) { return a.time < b.time; });
-  events.resize(std::min(events.size(), most));
-  return events;
-}
 
 std::vector<double> common_moments(const std::vector<RunResult>& runs, std::size_t most) {
   double end = 0.0;

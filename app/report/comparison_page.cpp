@@ -108,6 +108,12 @@ Html histories_part(const ComparisonPage& page) {
   return out;
 }
 
+/// "12.30 s  S3.column.left: support lost, fell 1.30 m"
+std::string event_text(const CollapseEvent& e) {
+  return seconds(e.time) + "  " + (e.where.empty() ? "" : e.where + ": ") + e.what +
+         (e.how.empty() ? "" : ", " + e.how);
+}
+
 Html failures_table(const ComparisonPage& page, const RecordStory& story) {
   std::vector<Heading> heads{{"", "", false}};
   std::size_t most = 0;
@@ -119,7 +125,7 @@ Html failures_table(const ComparisonPage& page, const RecordStory& story) {
   for (std::size_t i = 0; i < most; ++i) {
     rows.push_back({std::to_string(i + 1)});
     for (const auto& events : story.failures)
-      rows.back().push_back(i < events.size() ? seconds(events[i].time) + "  " + events[i].what : "–");
+      rows.back().push_back(i < events.size() ? event_text(events[i]) : "–");
   }
   return table(story_title(page, story), heads, rows);
 }

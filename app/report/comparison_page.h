@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/report/comparison_events.h"
+#include "app/report/collapse_sequence.h"
 #include "app/report/html.h"
 #include "app/study/compare/differences.h"
 
@@ -15,11 +15,11 @@ namespace dougong::app {
 struct RecordStory {
   View view = View::same_motion;
   std::size_t record = 0;
-  std::vector<std::size_t> variants;         // drawn
-  std::vector<std::vector<Event>> failures;  // of each of them
-  std::vector<std::string> verdicts;         // of each, the headline
-  std::string histories;                     // name of the picture
-  std::vector<std::string> strips;           // names of the pictures, one a variant; may be empty
+  std::vector<std::size_t> variants;                 // drawn
+  std::vector<std::vector<CollapseEvent>> failures;  // of each of them, the first
+  std::vector<std::string> verdicts;                 // of each, the headline
+  std::string histories;                             // name of the picture
+  std::vector<std::string> strips;                   // names of the pictures, one a variant; may be empty
 };
 
 struct ComparisonPage {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/report/comparison_csv.h"
+#include "app/report/comparison_events.h"
 #include "app/report/comparison_figures.h"
 #include "app/report/comparison_legend.h"
 #include "app/report/comparison_page.h"
@@ -80,7 +81,8 @@ class Writer {
     for (std::size_t v = 0; v < runs.size(); ++v) {
       if (!c_.find(view, v, record)) continue;
       story.variants.push_back(v);
-      story.failures.push_back(first_failures(runs[v], told_failures));
+      story.failures.push_back(collapse_sequence(runs[v]));
+      story.failures.back().resize(std::min(story.failures.back().size(), told_failures));
       story.verdicts.push_back(runs[v].verdict.headline);
       story.strips.push_back(draw_strip(story, v, runs[v], times, scene));
     }

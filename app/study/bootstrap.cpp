@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "app/study/spread.h"
 #include "seismic/synthesis/random.h"
@@ -14,10 +13,6 @@ namespace dougong::app {
 namespace {
 
 using Groups = std::vector<std::vector<double>>;
-
-double mean_of(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
 
 std::vector<double> means_of(const Groups& groups) {
   std::vector<double> means;

@@ -14,6 +14,8 @@ struct Spread {
 /// Quantiles by linear interpolation between the sorted values: Hyndman and Fan, American Statistician 50
 /// (1996) 361-365, definition 7.
 Spread spread_of(std::vector<double> values);
+/// Not a number of none.
+double mean_of(const std::vector<double>& values);
 double quantile(const std::vector<double>& sorted, double part);
 
 /// A share of so many trials with its interval of 95 %: Wilson, J. Am. Stat. Assoc. 22 (1927) 209-212.

@@ -30,12 +30,6 @@ double numerical_change(const EnsembleSheet& sheet, const std::string& metric) {
   return std::abs(value_of(sheet, sheet.half_step, metric) - value_of(sheet, sheet.members.front(), metric));
 }
 
-double mean_of(const std::vector<double>& values) {
-  double sum = 0.0;
-  for (const double value : values) sum += value;
-  return values.empty() ? nan : sum / static_cast<double>(values.size());
-}
-
 /// One metric of one variant against the reference.
 class Comparer {
  public:

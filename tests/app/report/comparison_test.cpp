@@ -47,14 +47,6 @@ TEST(ComparisonText, WarnsOfManyDifferences) {
   EXPECT_THAT(multiplicity_text(std::vector<Difference>(40, d)), HasSubstr("about 2 would"));
 }
 
-TEST(ComparisonEvents, AreInTheOrderInWhichTheyHappened) {
-  const std::vector<Event> events = first_failures(fixtures::collapsed(), 100);
-  ASSERT_GT(events.size(), 3u);
-  for (std::size_t i = 1; i < events.size(); ++i) EXPECT_LE(events[i - 1].time, events[i].time);
-  EXPECT_EQ(first_failures(fixtures::collapsed(), 3).size(), 3u);
-  EXPECT_TRUE(first_failures(fixtures::survived(), 10).empty());
-}
-
 TEST(ComparisonEvents, ShowAllVariantsAtTheSameMoments) {
   const std::vector<RunResult> runs{fixtures::survived(), fixtures::collapsed()};
   const std::vector<double> times = common_moments(runs, 6);
