@@ -100,6 +100,10 @@ TEST(Report, WritesEveryFileIntoAFolderWithSpaces) {
                            "figures/energy.svg",
                            "figures/overlap.svg",
                            "figures/mass_lost.svg",
+                           "figures/hysteresis.svg",
+                           "figures/floor_spectra.svg",
+                           "figures/energy_stack.svg",
+                           "floor_spectra.csv",
                            "collapse_sequence.csv",
                            "falls.csv",
                            "mass_lost.csv",
@@ -156,6 +160,13 @@ TEST(Page, DoesNotTellHowFailedNumbersFell) {
   RunResult run = fixtures::survived();
   run.verdict.kind = structures::VerdictKind::numerically_invalid;
   EXPECT_THAT(page_of(run), HasSubstr("the numbers failed, so nothing is said of a fall"));
+}
+
+TEST(Page, ScreensByStandardsAndSaysThatItIsNoCompliance) {
+  const std::string page = page_of(fixtures::repeated());
+  for (const char* words : {"Screening, not code compliance", "concrete frames", "Table C1-3", "exceeded",
+                            "A storey was lost: no limit is kept"})
+    EXPECT_THAT(page, HasSubstr(words));
 }
 
 TEST(Page, SaysHowSureItIs) {
