@@ -43,7 +43,7 @@ Html checks_table(const std::string& standard, const std::vector<CodeCheck>& che
 
 Html page_screening(const RunResult& run) {
   const ScreeningSheet& s = run.screening;
-  if (s.notes.empty() && s.checks.empty()) return paragraph("No standard was asked for.");
+  if (s.notes.empty() && s.checks.empty()) return paragraph("No standard was looked at.");
   if (s.checks.empty()) return list(s.notes);
   Html out = paragraph(
       "Screening, not code compliance: a plane model of rigid blocks on one motion is no design check. Found "

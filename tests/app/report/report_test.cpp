@@ -153,7 +153,10 @@ TEST(Page, TellsHowItFell) {
         "Point of no return", "11.10 s", "140.0 kJ in all 2 blocks", "1 block fell over the end",
         "3.2 m², 6 % of the 52.0 m² before"})
     EXPECT_THAT(page, HasSubstr(words));
-  EXPECT_THAT(page_of(fixtures::survived()), HasSubstr("No block was lost."));
+  EXPECT_THAT(page_of(fixtures::survived()), HasSubstr("No block was lost during the run."));
+  RunResult older = fixtures::collapsed();
+  older.collapse = {};
+  EXPECT_THAT(page_of(older), HasSubstr("from before it was told how"));
 }
 
 TEST(Page, DoesNotTellHowFailedNumbersFell) {
