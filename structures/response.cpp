@@ -153,6 +153,26 @@ void add_base_shear(const Run& run, Response& response) {
                                     over_weight(response.peak_base_shear.negative)};
 }
 
+void add_overturning_moment(const Run& run, Response& response) {
+  if (run.building.storeys.empty()) return;
+  const double foot = run.building.storeys.front().base;
+  std::size_t first_loss = never;
+  for (std::size_t i = 0; i < run.building.storeys.size(); ++i) {
+    const Storey& storey = run.building.storeys[i];
+    response.height = std::max(response.height, storey.base + storey.height - foot);
+    first_loss = std::min(first_loss, run.losses.levels[i].step);
+  }
+  for (std::size_t step = 0; step < run.steps(); ++step) {
+    const double ground = run.trajectory.ground_displacement[step].y;
+    double moment = 0.0;
+    for (std::size_t block = 0; block < run.trajectory.blocks; ++block)
+      moment += run.losses.masses[block] * run.trajectory.acceleration(step, block) *
+                (run.trajectory.position(step, block).y - ground - foot);
+    response.overturning_moment.push_back(moment);
+  }
+  response.peak_overturning_moment = envelope_of(response.overturning_moment, response.times, first_loss);
+}
+
 void add_losses(const Run& run, Response& response) {
   double lost = 0.0;
   std::size_t onset = never;
@@ -234,6 +254,7 @@ Response compute_response(const Building& building, const Trajectory& trajectory
   response.blocks = trajectory.blocks;
   add_storeys(run, response);
   add_base_shear(run, response);
+  add_overturning_moment(run, response);
   if (run.steps() == 0) return response;
   add_losses(run, response);
   response.greatest_lean = greatest_lean(run);

@@ -4,6 +4,9 @@
 //            and to the first output time; blocks that are lost no longer count
 //   theta_i  interstorey drift ratio = (u_i - u_(i-1)) / h_i, h_i the original storey height
 //   floor acceleration is absolute; base shear V is the horizontal force of the ground on the building
+//   M        overturning moment about the foot, of the horizontal inertia forces and with the sign of V,
+//              M = sum m_b a_b (y_b - y_foot)   (N m)
+//            the moment of the weight on a building that leans, and of vertical inertia, is not in it
 //
 // A storey is lost when its level has lost its support or too much of its mass (LossCriteria). Its
 // drift is frozen from then on (the value at the loss is kept) and its peak is taken before the loss.
@@ -120,6 +123,9 @@ struct Response {
   std::vector<double> base_shear;               // nt, N, positive when the ground pushes the building to +x
   Envelope peak_base_shear;                     // N, before any storey is lost
   double weight = 0.0;                          // N
+  std::vector<double> overturning_moment;       // nt, N m
+  Envelope peak_overturning_moment;             // N m, before any storey is lost
+  double height = 0.0;                          // m, of the levels above the foot
   std::vector<BlockLoss> losses;                // in order of time
   std::optional<double> first_loss_of_support;  // s
   double fallen_mass_fraction = 0.0;            // of the whole building, at the end

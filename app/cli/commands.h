@@ -17,13 +17,20 @@ enum ExitCode : int {
   exit_undecided = 30,
 };
 
+/// A film of a building's run.
+struct FilmChoice {
+  std::string path;   // .mp4; empty: none
+  double slow = 1.0;  // 4: a second of the run takes four
+};
+
 struct RunOptions {
   std::string scenario;  // path; empty: defaults and flags
-  std::string layout, record, component, pga, ensemble, out;
+  std::string layout, record, component, pga, ensemble, codes, out;
   std::vector<std::string> set;  // key=value
   std::size_t jobs = 0;          // runs at a time; 0: one a processor
   bool force = false;
   bool json = false;
+  FilmChoice film;
   std::string command;  // as typed
 };
 int run_command(const RunOptions& options);
@@ -90,6 +97,8 @@ int record_convert_command(const RecordConvertOptions& options);
 
 struct ReportOptions {
   std::string directory;
+  FilmChoice film;
+  bool force = false;  // of the film
 };
 int report_command(const ReportOptions& options);
 

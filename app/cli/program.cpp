@@ -42,6 +42,14 @@ struct Request {
   std::function<int()> command;
 };
 
+void add_film(CLI::App& command, FilmChoice& film) {
+  CLI::Option* path = command.add_option(
+      "--film", film.path, "A film of the run, FILE.mp4; without ffmpeg its frames in the folder FILE");
+  command.add_option("--slow", film.slow, "How many times slower than the run the film goes (1)")
+      ->needs(path)
+      ->check(CLI::Range(0.1, 1000.0));
+}
+
 void add_run(CLI::App& app, Request& r) {
   CLI::App* run = app.add_subcommand("run", "Shake a building by a record and report what happened");
   run->add_option("scenario", r.run.scenario, "Scenario file (TOML); flags and --set override it");
@@ -55,7 +63,10 @@ void add_run(CLI::App& app, Request& r) {
       ->allow_extra_args(false);
   run->add_option("--ensemble", r.run.ensemble,
                   "Runs in all, the others with small changes: how sure the answer is (1)");
+  run->add_option("--codes", r.run.codes,
+                  "Standards whose drift limits are looked at: gb50011,fema356 or none (those that fit)");
   run->add_option("-j,--jobs", r.run.jobs, "Runs at a time (one a processor)")->check(CLI::Range(1, 1024));
+  add_film(*run, r.run.film);
   run->add_option("--out", r.run.out, "Folder for the results (dougong-out)");
   run->add_flag("--force", r.run.force, "Write into a folder that already holds something");
   run->add_flag("--json", r.run.json, "Print summary.json on standard output and nothing else there");
@@ -188,7 +199,10 @@ void add_records(CLI::App& app, Request& r) {
 void add_report(CLI::App& app, Request& r) {
   CLI::App* report = app.add_subcommand("report", "Draw the report of a run again, from its results.h5");
   report->add_option("directory", r.report.directory, "Folder of the run")->required();
-  report->footer("Example: dougong report out/strong");
+  add_film(*report, r.report.film);
+  report->add_flag("--force", r.report.force, "Write over a film that is there already");
+  report->footer(
+      "Example: dougong report out/strong\n         dougong report out/strong --film strong.mp4 --slow 4");
   report->callback([&r] { r.command = [&r] { return report_command(r.report); }; });
 }
 

@@ -3,6 +3,7 @@
 #include <thread>
 
 #include "app/cli/commands.h"
+#include "app/cli/film_aloud.h"
 #include "app/cli/interrupts.h"
 #include "app/cli/output_folder.h"
 #include "app/cli/record_choice.h"
@@ -30,6 +31,7 @@ std::vector<Override> overrides_of(const RunOptions& options) {
   add("record.component", options.component, "--component");
   add("record.pga", options.pga, "--pga");
   add("ensemble.n", options.ensemble, "--ensemble");
+  add("screening.codes", options.codes, "--codes");
   add("output.directory", options.out, "--out");
   for (const std::string& text : options.set) overrides.push_back(parse_override(text));
   return overrides;
@@ -149,6 +151,7 @@ int run_command(const RunOptions& options) {
   Terminal terminal(options.json ? stderr : stdout);
   const Scenario scenario = scenario_of(options);
   require_gnuplot();
+  require_film_path(options.film, options.force);
   const OutputFolder folder(scenario.output.directory, options.force);
   Interrupts interrupts(folder.made());
   Preparation preparation = prepare_aloud(scenario, terminal);
@@ -157,16 +160,19 @@ int run_command(const RunOptions& options) {
   say_answer(computed, terminal);
   const RunResult result = save_and_reload(computed, folder.path());
   say_files(folder.path(), draw_report(result, folder.path()) + 1, terminal);
+  film_aloud(result, options.film, terminal);
   if (options.json) print_json(read_file(folder.path() / "summary.json"));
   return exit_code_of(result.verdict.kind);
 }
 
 int report_command(const ReportOptions& options) {
   const fs::path directory = options.directory;
+  require_film_path(options.film, options.force);
   const RunResult result = read_results(directory / "results.h5");
   const Terminal terminal(stdout);
   say_answer(result, terminal);
   say_files(directory, draw_report(result, directory) + 1, terminal);
+  film_aloud(result, options.film, terminal);
   return exit_survived;
 }
 

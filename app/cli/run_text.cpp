@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/report/screening_text.h"
 #include "app/report/spread_text.h"
 #include "app/report/text.h"
 #include "engine/integrators/table.h"
@@ -173,6 +174,9 @@ std::vector<ToneLine> answer_text(const RunResult& r) {
     lines.push_back({row("fall", collapse_text(r.collapse))});
     lines.push_back({row("debris", debris_text(r.collapse))});
   }
+  for (const std::string& line : screening_lines(r.screening)) lines.push_back({row("screening", line)});
+  if (!r.screening.checks.empty())
+    lines.push_back({row("", "(screening, not code compliance: a plane model of rigid blocks, one motion)")});
   lines.push_back({row("numbers", numbers_text(r))});
   if (r.ensemble.members.size() > 1) {
     lines.push_back({row("ensemble", collapse_text(r.ensemble))});

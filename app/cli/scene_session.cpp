@@ -6,6 +6,7 @@
 #include "app/cli/interrupts.h"
 #include "app/cli/output_folder.h"
 #include "app/cli/scene_text.h"
+#include "app/report/film.h"
 #include "app/report/scene_report.h"
 
 namespace dougong::app {
@@ -37,7 +38,7 @@ void film_aloud(const SceneResult& result, const fs::path& directory, std::vecto
   if (!result.output.film) return;
   if (!can_film()) return terminal.line(row("film", "left out: ffmpeg is not installed"));
   try {
-    write_film(result, directory / "film.mp4");
+    write_film(result.run, FilmOptions{.frames_a_second = 25.0}, directory / "film.mp4");
     files.emplace_back("film.mp4");
   } catch (const std::runtime_error& error) {
     terminal.line(row("film", error.what()), Tone::doubtful);

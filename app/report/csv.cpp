@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "app/report/text.h"
+#include "app/study/floor_spectra.h"
 
 namespace dougong::app {
 namespace {
@@ -76,7 +77,8 @@ std::string roof_and_base_shear_csv(const RunResult& run) {
                      }};
   return table(
       {numbers("time (s)", r.times), numbers("roof displacement relative to ground (m)", r.roof_displacement),
-       numbers("base shear (N)", r.base_shear), ratio},
+       numbers("base shear (N)", r.base_shear), ratio,
+       numbers("overturning moment (N m)", r.overturning_moment)},
       r.times.size());
 }
 
@@ -87,6 +89,14 @@ std::string damage_csv(const RunResult& run) {
     text += csv_text(bond.name) + "," + csv_text(storey_of(run.model, bond)) + "," + bond.mode + "," +
             time(bond.cracked) + "," + time(bond.broken) + "\n";
   return text;
+}
+
+std::string floor_spectra_csv(const FloorSpectra& spectra) {
+  std::vector<Column> columns{numbers("period (s)", spectra.periods),
+                              numbers("ground PSa 5 % (m/s2)", spectra.ground)};
+  for (const FloorSpectrum& floor : spectra.floors)
+    columns.push_back(numbers(floor.name + " PSa 5 % (m/s2)", floor.psa));
+  return table(columns, spectra.periods.size());
 }
 
 std::string energy_csv(const RunResult& run) {

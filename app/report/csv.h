@@ -17,6 +17,9 @@ std::string acceleration_csv(const RunResult& run);  // time; absolute floor acc
 std::string roof_and_base_shear_csv(const RunResult& run);
 /// Each bond with its storey, and how and when it cracked and broke.
 std::string damage_csv(const RunResult& run);
+struct FloorSpectra;
+/// Period; pseudo-acceleration of the ground and of every floor.
+std::string floor_spectra_csv(const FloorSpectra& spectra);
 std::string energy_csv(const RunResult& run);
 std::string motion_csv(const RunResult& run);
 

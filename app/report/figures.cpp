@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "app/report/text.h"
+#include "app/study/floor_spectra.h"
 
 namespace dougong::app {
 namespace {
@@ -52,8 +53,25 @@ void add_response(const RunResult& run, std::vector<NamedFigure>& out) {
                  drift_histories_figure(run)});
 }
 
+void add_loops_and_floors(const RunResult& run, std::vector<NamedFigure>& out) {
+  const auto& r = run.response;
+  if (r.weight > 0 && r.height > 0 && r.times.size() > 1 && !r.overturning_moment.empty())
+    out.push_back({"hysteresis", "Loops of base shear and overturning moment against roof drift.",
+                   hysteresis_figure(run)});
+  if (!floor_spectra(run).floors.empty())
+    out.push_back(
+        {"floor_spectra",
+         "Pseudo-acceleration of every floor's acceleration against period, log-log, with the ground's.",
+         floor_spectra_figure(run)});
+}
+
 void add_balance(const RunResult& run, std::vector<NamedFigure>& out) {
   if (!run.energy.input.empty()) {
+    out.push_back(
+        {"energy_stack",
+         "Friction, damping, fracture, strain, kinetic and lifted energy stacked over time, with the "
+         "input and the error as lines.",
+         energy_stack_figure(run)});
     out.push_back(
         {"energy",
          "Input, kinetic, gravity, elastic, friction and damping energy against time, and the error "
@@ -80,6 +98,7 @@ std::vector<NamedFigure> all_figures(const RunResult& run) {
   if (!run.response.roof_displacement.empty()) {
     out.push_back({"roof_and_base_shear", shear_words(run), roof_and_base_shear_figure(run)});
   }
+  add_loops_and_floors(run, out);
   if (run.collapse.happened())
     out.push_back(
         {"mass_lost", "Part of each storey's mass that was lost, against time.", mass_lost_figure(run)});

@@ -20,6 +20,12 @@ Figure roof_and_base_shear_figure(const RunResult& run);
 /// Of each storey over time. Needs a lost block.
 Figure mass_lost_figure(const RunResult& run);
 Figure energy_figure(const RunResult& run);
+/// Base shear and overturning moment against roof drift. Needs both and a weight.
+Figure hysteresis_figure(const RunResult& run);
+/// Needs floor_spectra() that are not empty.
+Figure floor_spectra_figure(const RunResult& run);
+/// Where the energy is and went, stacked.
+Figure energy_stack_figure(const RunResult& run);
 Figure overlap_figure(const RunResult& run);
 
 /// "two-storey slabs on SYN1 / EW": the line under every title.

@@ -122,6 +122,27 @@ std::string panel_script(const Stack& stack, std::size_t index, double from_top,
 
 }  // namespace
 
+std::pair<double, std::string> energy_unit(double joules) {
+  if (joules >= 1e6) return {1e-6, "MJ"};
+  if (joules >= 1e3) return {1e-3, "kJ"};
+  return {1.0, "J"};
+}
+
+std::vector<double> since_start(std::vector<double> values) {
+  const double start = values.empty() ? 0.0 : values.front();
+  for (double& v : values) v -= start;
+  return values;
+}
+
+std::vector<double> until_first_loss(const structures::Response& r, std::vector<double> values) {
+  for (const structures::StoreyResponse& storey : r.storeys)
+    if (storey.lost_at) {
+      const auto lost = std::ranges::lower_bound(r.times, *storey.lost_at) - r.times.begin();
+      values.resize(std::min(values.size(), static_cast<std::size_t>(lost)));
+    }
+  return values;
+}
+
 std::string plain_style() {
   return "set border 0\nset tics scale 0 nomirror\nset xtics nomirror tc rgb '#222222'\n"
          "set ytics nomirror tc rgb '#222222'\nset grid xtics ytics lt 1 lw 0.7 lc rgb '#e2e2e2'\n"

@@ -5,11 +5,13 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/report/axis.h"
 #include "app/report/colour.h"
 #include "app/report/gnuplot.h"
+#include "structures/response.h"
 
 namespace dougong::app {
 
@@ -59,6 +61,15 @@ struct Frame {
 std::string margins(const Frame& frame, int width, int height);
 inline constexpr int stack_width = 880;  // px
 int stack_height(const Stack& stack);    // px, with the room below
+
+/// Factor and name of J, kJ or MJ, so that numbers up to this one stay short.
+std::pair<double, std::string> energy_unit(double joules);
+/// Less the first value.
+std::vector<double> since_start(std::vector<double> values);
+
+/// A history up to the loss of the first storey: afterwards the ground feels debris, and its blows would hide
+/// what the building did.
+std::vector<double> until_first_loss(const structures::Response& response, std::vector<double> values);
 
 /// "set grid, no box, ..." common to all figures.
 std::string plain_style();

@@ -145,13 +145,6 @@ struct Term {
   Colour colour;
 };
 
-/// kJ, MJ ... so that the numbers stay short.
-std::pair<double, std::string> energy_unit(double joules) {
-  if (joules >= 1e6) return {1e-6, "MJ"};
-  if (joules >= 1e3) return {1e-3, "kJ"};
-  return {1.0, "J"};
-}
-
 double largest_term(const std::vector<Term>& terms) {
   double size = 0.0;
   for (const Term& term : terms) {
@@ -159,12 +152,6 @@ double largest_term(const std::vector<Term>& terms) {
     size = std::max({size, std::abs(r.low), std::abs(r.high)});
   }
   return size;
-}
-
-std::vector<double> since_start(const std::vector<double>& values) {
-  std::vector<double> out = values;
-  for (double& v : out) v -= values.front();
-  return out;
 }
 
 Panel energy_terms_panel(const RunResult& run) {
@@ -226,14 +213,26 @@ Figure drift_histories_figure(const RunResult& run) {
 
 Figure roof_and_base_shear_figure(const RunResult& run) {
   const auto& r = run.response;
-  Stack stack{"Roof displacement and base shear", run_line(run), "Time, t (s)", time_range(r.times), {}, 30};
+  const std::vector<double> times = until_first_loss(r, r.times), shear = until_first_loss(r, r.base_shear),
+                            moment = until_first_loss(r, r.overturning_moment);
+  Stack stack{"Roof displacement, base shear and overturning moment",
+              run_line(run),
+              "Time, t (s)",
+              time_range(r.times),
+              {},
+              30};
   const double share = r.weight > 0 ? 1.0 / r.weight : 0.0;
   const std::vector<double> ground = run.motion.acceleration_x;
   stack.panels = {
       history_panel(run.motion.times, {"Ground acc. (g)", &ground, acceleration_unit(), "g"}, ink::quiet,
                     110),
       history_panel(r.times, {"Roof displ., u (mm)", &r.roof_displacement, 1e3, "mm"}, category(0), 130),
-      history_panel(r.times, {"Base shear, V/W (-)", &r.base_shear, share, "W"}, category(1), 130)};
+      history_panel(times, {"Base shear, V/W (-)", &shear, share, "W"}, category(1), 130)};
+  if (const double arm = r.weight * r.height; arm > 0.0 && !r.overturning_moment.empty())
+    stack.panels.push_back(
+        history_panel(times, {"Moment, M/WH (-)", &moment, 1.0 / arm, "WH"}, category(2), 130));
+  for (std::size_t i = 2; i < stack.panels.size() && times.size() < r.times.size(); ++i)
+    stack.panels[i].note = "until the first storey was lost";
   return stacked(stack);
 }
 

@@ -17,6 +17,7 @@ std::string report_page(const RunResult& run, const std::vector<Picture>& pictur
   const std::vector<PagePart> parts{{"model", "The building", page_model(run, pictures)},
                                     {"motion", "The ground motion", page_motion(run, pictures)},
                                     {"response", "The response", page_response(run, pictures)},
+                                    {"screening", "Against the limits of standards", page_screening(run)},
                                     {"damage", "Damage of the bonds", page_damage(run)},
                                     {"fall", "How it fell", page_collapse(run, pictures)},
                                     {"spread", "How sure", page_spread(run)},

@@ -118,14 +118,20 @@ Html voids_part(const Collapse& c) {
                      rows);
 }
 
+const char* why_untold(const RunResult& run) {
+  if (run.verdict.kind == structures::VerdictKind::numerically_invalid)
+    return "Not told: the numbers failed, so nothing is said of a fall.";
+  if (!run.response.losses.empty())
+    return "Blocks were lost, and this results file is from before it was told how: run the scenario again.";
+  return "No block was lost during the run.";
+}
+
 }  // namespace
 
 Html page_collapse(const RunResult& run, const std::vector<Picture>& pictures) {
   const Collapse& c = run.collapse;
   if (!c.happened())
-    return paragraph(run.verdict.kind == structures::VerdictKind::numerically_invalid
-                         ? "Not told: the numbers failed, so nothing is said of a fall."
-                         : "No block was lost.") +
+    return paragraph(why_untold(run)) +
            (c.first_touch ? paragraph("The neighbours touched first at " + seconds(*c.first_touch) + ".")
                           : Html{});
   return paragraph("Mode: " + to_string(c.mode) + ", " + meaning_of(c.mode) + ".") + list(c.reasons) +

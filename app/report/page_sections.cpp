@@ -149,6 +149,9 @@ Html building_table(const RunResult& run) {
       envelope_row("Base shear, V (kN)", r.peak_base_shear, 1e-3, 1)};
   if (r.weight > 0)
     rows.push_back(envelope_row("Base shear over weight, V/W (-)", r.peak_base_shear, 1 / r.weight, 3));
+  if (!r.overturning_moment.empty())
+    rows.push_back(
+        envelope_row("Overturning moment about the foot, M (kN m)", r.peak_overturning_moment, 1e-3, 1));
   return table("The whole building, both signs; W = " + fixed(r.weight / 1e3, 1) + " kN",
                {{"Quantity", "", false}, {"Peak +", ""}, {"at", "s"}, {"Peak −", ""}, {"at", "s"}}, rows);
 }
@@ -262,9 +265,21 @@ Html page_response(const RunResult& run, const std::vector<Picture>& pictures) {
               "Each storey on its own axis, all on one time axis. A lost storey's drift is frozen at its "
               "loss (cross, dashed).",
               "drift.csv");
-  return out + plot(pictures, "roof_and_base_shear",
-                    "Ground acceleration, roof displacement relative to the ground, base shear over weight.",
-                    "roof_and_base_shear.csv");
+  out += plot(pictures, "roof_and_base_shear",
+              "Ground acceleration, roof displacement relative to the ground, base shear over weight, "
+              "overturning moment of the horizontal inertia forces over weight times height.",
+              "roof_and_base_shear.csv");
+  out += plot(pictures, "hysteresis",
+              "Base shear and overturning moment against roof drift, with the sign of the resistance, until "
+              "the first "
+              "storey was lost: the area "
+              "of a loop is what a cycle dissipates.",
+              "roof_and_base_shear.csv");
+  return out +
+         plot(pictures, "floor_spectra",
+              "What equipment on a floor feels: 5 % damped pseudo-acceleration of each floor's absolute "
+              "acceleration, until its storey was lost; black: the ground.",
+              "floor_spectra.csv");
 }
 
 Html page_energy(const RunResult& run, const std::vector<Picture>& pictures) {
@@ -272,6 +287,8 @@ Html page_energy(const RunResult& run, const std::vector<Picture>& pictures) {
              "What the ground put in equals what moves, was lifted, is stored in contacts or was dissipated. "
              "The rest is error: " +
              energy_error_words(run) + " (the input and what gravity gave).") +
+         plot(pictures, "energy_stack", "Where the energy is and went, stacked; lines: what came in.",
+              "energy.csv") +
          plot(pictures, "energy", "Cumulated energies; below, the error of their balance.", "energy.csv");
 }
 

@@ -10,8 +10,10 @@
 #include "app/report/report_output.h"
 #include "app/report/safe_file.h"
 #include "app/report/scene.h"
+#include "app/report/screening_text.h"
 #include "app/report/summary.h"
 #include "app/report/text.h"
+#include "app/study/floor_spectra.h"
 
 namespace dougong::app {
 namespace {
@@ -28,6 +30,9 @@ void write_tables(const RunResult& run, Output& output) {
   output.write("energy.csv", energy_csv(run));
   if (!run.model.bonded.empty()) output.write("damage.csv", damage_csv(run));
   output.write("motion.csv", motion_csv(run));
+  if (const FloorSpectra spectra = floor_spectra(run); !spectra.floors.empty())
+    output.write("floor_spectra.csv", floor_spectra_csv(spectra));
+  if (!run.screening.checks.empty()) output.write("screening.csv", screening_csv(run.screening));
   if (!run.collapse.happened()) return;
   output.write("collapse_sequence.csv", collapse_sequence_csv(run));
   output.write("falls.csv", falls_csv(run));

@@ -107,13 +107,16 @@ void walk_trajectory(A& a, R& trajectory) {
 }
 
 template <class A, class E>
+void walk_signed_peaks(A& a, const char* unit, E& envelope) {
+  a.field("positive", unit, envelope.positive.value);
+  a.field("positive_time", "s", envelope.positive.time);
+  a.field("negative", unit, envelope.negative.value);
+  a.field("negative_time", "s", envelope.negative.time);
+}
+
+template <class A, class E>
 void walk_envelope(A& a, const char* name, const char* unit, E& envelope) {
-  a.group(name, [&] {
-    a.field("positive", unit, envelope.positive.value);
-    a.field("positive_time", "s", envelope.positive.time);
-    a.field("negative", unit, envelope.negative.value);
-    a.field("negative_time", "s", envelope.negative.time);
-  });
+  a.group(name, [&] { walk_signed_peaks(a, unit, envelope); });
 }
 
 template <class A, class S>
@@ -143,6 +146,10 @@ void walk_response(A& a, R& response) {
   a.field("base_shear", "N", response.base_shear);
   walk_envelope(a, "peak_base_shear", "N", response.peak_base_shear);
   a.field("weight", "N", response.weight);
+  a.optional_field("overturning_moment", "N m", response.overturning_moment);
+  a.optional_group("peak_overturning_moment",
+                   [&] { walk_signed_peaks(a, "N m", response.peak_overturning_moment); });
+  a.optional_field("height", "m", response.height);
   a.table("losses", response.losses, [&] {
     a.column("block", "", response.losses, &BlockLoss::block);
     a.column("time", "s", response.losses, &BlockLoss::time);
@@ -201,6 +208,24 @@ void walk_collapse(A& a, C& collapse) {
   });
   a.field("void_area", "m2", collapse.void_area);
   a.field("void_area_before", "m2", collapse.void_area_before);
+}
+
+template <class A, class S>
+void walk_screening(A& a, S& screening) {
+  using structures::CodeCheck;
+  a.field("structural_type", "", screening.structural_type);
+  a.field("notes", "", screening.notes);
+  a.table("checks", screening.checks, [&] {
+    a.column("standard", "", screening.checks, &CodeCheck::standard);
+    a.column("clause", "", screening.checks, &CodeCheck::clause);
+    a.column("subject", "", screening.checks, &CodeCheck::subject);
+    a.column("status", "", screening.checks, &CodeCheck::status);
+    a.column("limit_name", "", screening.checks, &CodeCheck::limit_name);
+    a.column("measure", "", screening.checks, &CodeCheck::measure);
+    a.column("limit", "1", screening.checks, &CodeCheck::limit);
+    a.column("found", "1", screening.checks, &CodeCheck::found);
+    a.column("exceeded", "", screening.checks, &CodeCheck::exceeded);
+  });
 }
 
 template <class A, class R>
@@ -289,6 +314,7 @@ void walk_run(A& a, Run& run) {
   a.group("trajectory", [&] { walk_trajectory(a, run.trajectory); });
   a.group("response", [&] { walk_response(a, run.response); });
   a.optional_group("collapse", [&] { walk_collapse(a, run.collapse); });
+  a.optional_group("screening", [&] { walk_screening(a, run.screening); });
   a.group("energy", [&] { walk_energy(a, run.energy); });
   a.group("numerics", [&] { walk_numerics(a, run.numerics); });
   a.group("reproducibility", [&] { walk_reproducibility(a, run.reproducibility); });

@@ -70,6 +70,7 @@ Json metrics_part(const RunResult& run) {
           {"peak_roof_displacement", both_signs(r.peak_roof_displacement, "m")},
           {"peak_base_shear", both_signs(r.peak_base_shear, "N")},
           {"weight", metric(r.weight, "N")},
+          {"peak_overturning_moment", both_signs(r.peak_overturning_moment, "N m")},
           {"period", metric(run.model.period, "s")},
           {"spectral_acceleration_at_period", metric(run.motion.spectrum_at_period, "m/s2")},
           {"first_loss_of_support", number(r.first_loss_of_support)},
@@ -109,6 +110,19 @@ Json collapse_part(const structures::Collapse& c) {
           {"hardest_hit",
            hardest == c.falls.end() ? metric(0.0, "J") : metric(hardest->energy, "J", hardest->hit)},
           {"voids", voids_part(c)}};
+}
+
+Json check_part(const structures::CodeCheck& c) {
+  return {{"standard", c.standard},   {"clause", c.clause},     {"subject", c.subject},
+          {"limit", c.limit_name},    {"measure", c.measure},   {"value", number(c.limit)},
+          {"found", number(c.found)}, {"exceeded", c.exceeded}, {"source", c.status}};
+}
+
+/// Screening, not code compliance.
+Json screening_part(const ScreeningSheet& sheet) {
+  Json checks = Json::array();
+  for (const structures::CodeCheck& check : sheet.checks) checks.push_back(check_part(check));
+  return {{"structural_type", sheet.structural_type}, {"notes", sheet.notes}, {"checks", checks}};
 }
 
 double last(const std::vector<double>& values) {
@@ -222,6 +236,7 @@ std::string summary_json(const RunResult& run, const std::vector<std::string>& f
            {"reproducibility", reproducibility_part(run.reproducibility)},
            {"files", files}};
   if (run.collapse.happened()) out["collapse"] = collapse_part(run.collapse);
+  if (!run.screening.notes.empty()) out["screening"] = screening_part(run.screening);
   if (run.ensemble.members.size() > 1) out["ensemble"] = ensemble_part(run.ensemble);
   return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

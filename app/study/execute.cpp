@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/study/code_screens.h"
 #include "app/study/moments.h"
 #include "app/study/recorder.h"
 #include "app/study/run_sheets.h"
@@ -191,6 +192,7 @@ RunResult execute(Preparation& p, const std::string& command, const ProgressObse
                              : early_verdict;
   if (result.verdict.kind != structures::VerdictKind::numerically_invalid)
     result.collapse = structures::describe_collapse(p.building, recorder.trajectory, p.scenario.loss);
+  result.screening = screening_of(p.scenario.screening, p.building, result.response, result.verdict);
   result.model.bonded = std::move(recorder.bonds);
   result.trajectory = std::move(recorder.trajectory);
   result.energy = std::move(recorder.energies.energy);

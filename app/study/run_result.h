@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/vec2.h"
+#include "structures/code_screen.h"
 #include "structures/collapse.h"
 #include "structures/response.h"
 #include "structures/verdict.h"
@@ -162,6 +163,13 @@ struct Reproducibility {
   double cpu_seconds = 0.0;
 };
 
+/// The response against the drift limits of standards: screening, not code compliance.
+struct ScreeningSheet {
+  std::string structural_type;     // "rc frame"; empty or "none": no limits are for it
+  std::vector<std::string> notes;  // what the limits are for, or why there are none
+  std::vector<structures::CodeCheck> checks;
+};
+
 /// A moment worth a picture.
 struct Moment {
   double time = 0.0;    // s
@@ -177,7 +185,8 @@ struct RunResult {
   structures::Trajectory trajectory;
   structures::Response response;
   structures::Collapse collapse;  // nothing happened where the numbers failed
-  EnergyHistory energy;           // at trajectory.times
+  ScreeningSheet screening;
+  EnergyHistory energy;  // at trajectory.times
   Numerics numerics;
   Reproducibility reproducibility;
   std::vector<Moment> moments;

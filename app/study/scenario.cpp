@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/study/building_scene.h"
+#include "app/study/code_screens.h"
 #include "app/study/entries.h"
 #include "app/study/key_values.h"
 #include "app/study/scenario_keys.h"
@@ -51,6 +52,7 @@ class Reader {
     for (const Entry& entry : entries_) set(entry);
     require_record();
     require_filter();
+    require_codes();
     complete_layouts();
     if (!errors_.empty()) throw ScenarioError(std::move(errors_));
     return scenario_;
@@ -226,6 +228,15 @@ class Reader {
       const ScenarioKey& key = *find_key(name);
       if (entry && is_set(*entry) && toml_value(key, scenario_) != default_of(key))
         fail(entry->where, fmt::format("{}: of the filter, which is switched off", name));
+    }
+  }
+
+  void require_codes() {
+    try {
+      chosen_screens(scenario_.screening.codes);
+    } catch (const std::invalid_argument& error) {
+      const Entry* entry = find_entry("screening.codes");
+      fail(entry ? entry->where : source_, fmt::format("screening.codes: {}", error.what()));
     }
   }
 

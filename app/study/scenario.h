@@ -79,6 +79,11 @@ struct SolveChoice : IntegrationChoice {
   bool settle = true;                          // under gravity, before the motion
 };
 
+struct ScreeningChoice {
+  std::string codes = "automatic";      // ids of standards, automatic or none
+  std::string structure = "automatic";  // a structural type (structures/code_screen.h), automatic or none
+};
+
 struct EnsembleChoice {
   double n = 1;  // runs in all, the one described first
   bool half_step = true;
@@ -99,6 +104,7 @@ struct Scenario {
   SolveChoice solve;
   structures::LossCriteria loss;
   structures::VerdictCriteria verdict;
+  ScreeningChoice screening;
   EnsembleChoice ensemble;
   OutputChoice output;
 };

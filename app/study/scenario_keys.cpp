@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "structures/code_screen.h"
+
 namespace dougong::app {
 namespace {
 
@@ -26,6 +28,7 @@ using S = Scenario;
 using R = RecordChoice;
 using C = Conditioning;
 using V = SolveChoice;
+using G = ScreeningChoice;
 using E = EnsembleChoice;
 using P = Perturbation;
 using O = OutputChoice;
@@ -44,6 +47,12 @@ ScenarioKey flag(const char* name, Slot (*slot)(S&), const char* meaning) {
 ScenarioKey number(const char* name, Slot (*slot)(S&), Dimension dimension, double least, double most,
                    const char* meaning) {
   return {{name, meaning, dimension, least, most, {}}, slot};
+}
+
+std::vector<std::string> structure_words() {
+  std::vector<std::string> words{"automatic", "none"};
+  for (const std::string_view type : structures::structural_types()) words.emplace_back(type);
+  return words;
 }
 
 std::vector<ScenarioKey> make_table() {
@@ -169,6 +178,12 @@ std::vector<ScenarioKey> make_table() {
              "undecided when a block leans by more than this part of its own toppling angle"),
       number("verdict.drift_growth", slot<&S::verdict, &J::drift_growth>, ratio, 0, endless,
              "undecided when a drift grows by more than this in the last second"),
+
+      text("screening.codes", slot<&S::screening, &G::codes>,
+           "standards whose drift limits are looked at, by their ids (asce7, eurocode8, fema356, gb50011, "
+           "hazus), with commas between; automatic: those with limits for the structural type; none"),
+      text("screening.structure", slot<&S::screening, &G::structure>,
+           "the structural type whose limits they are; automatic: that of the layout", structure_words()),
 
       number("ensemble.n", slot<&S::ensemble, &E::n>, count, 1, 10000,
              "runs in all: as described, and with small changes; 1: a single run"),

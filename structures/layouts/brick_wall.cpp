@@ -278,6 +278,7 @@ Layout brick_wall() {
   Layout layout;
   layout.name = "brick-wall";
   layout.summary = "a masonry wall of bricks, dry or in mortar, with openings and a gable";
+  layout.structural_type = "masonry";
   layout.counting =
       "The courses are dealt out to the levels from the bottom, as evenly as they divide. A storey is the "
       "courses of one level, its level blocks are the bricks of its top course and its height is that of its "

@@ -278,6 +278,7 @@ Layout concrete_frame() {
   layout.name = "concrete-frame";
   layout.summary =
       "a reinforced-concrete frame of bonded blocks, bare, infilled, braced or with a shear wall";
+  layout.structural_type = "rc frame";
   layout.counting =
       "A storey is its columns, what fills its bays and the level on them; the level is its beams and nodes "
       "and "

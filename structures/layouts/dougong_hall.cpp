@@ -209,6 +209,7 @@ Layout dougong_hall() {
   Layout layout;
   layout.name = "dougong-hall";
   layout.summary = "a timber hall: columns on stone bases, bracket sets of stacked blocks, a heavy roof";
+  layout.structural_type = "timber frame";
   layout.counting =
       "S1 is the columns with their bases and lintels, and its level the columns and lintels; S2 the bracket "
       "sets, and its level the plate on them; S3 the roof.";

@@ -65,6 +65,7 @@ struct Layout {
   std::string counting;  // how its storeys are counted, one or two sentences
   std::vector<Parameter> parameters;
   Building (*generate)(const ParameterValues&) = nullptr;
+  std::string structural_type = {};  // for the limits of standards (code_screen.h); empty: none are for it
 
   /// Null when the layout has no parameter of that name.
   const Parameter* parameter(const std::string& name) const;

@@ -155,6 +155,7 @@ Layout masonry_house() {
   layout.name = "masonry-house";
   layout.summary =
       "a masonry house in section: two walls, timber or concrete floors, a roof, with or without ties";
+  layout.structural_type = "masonry";
   layout.counting =
       "A storey is its walls and the floor on them; its level is the floor, and its height is measured to "
       "the "

@@ -114,6 +114,7 @@ Layout pagoda() {
   Layout layout;
   layout.name = "pagoda";
   layout.summary = "a timber pagoda whose storeys stand on one another without a tie";
+  layout.structural_type = "timber frame";
   layout.counting =
       "A storey is its columns, their caps and the roof on them; its level is the roof, of the uppermost "
       "with "

@@ -138,6 +138,7 @@ Layout timber_frame() {
   Layout layout;
   layout.name = "timber-frame";
   layout.summary = "a timber frame of posts and beams in pinned or semi-rigid joints, with or without braces";
+  layout.structural_type = "timber frame";
   layout.counting = "A storey is its posts and the beams between their heads; its level is the beams.";
   layout.parameters = joined(
       {

@@ -149,6 +149,29 @@ TEST(BaseShear, IsTheGroundsPushAndComparedWithTheWeight) {
   EXPECT_NEAR(response.peak_base_shear_ratio.negative.value, -2e5 / (mass * 9.80665), 1e-12);
 }
 
+// Slabs and columns at their heights, all accelerated alike, on a ground that rises.
+TEST(OverturningMoment, IsTheInertiaForcesTimesTheirHeights) {
+  Script script = frame();
+  script.ground = [](double t) { return Vec2{0.0, 0.1 * t}; };
+  script.acceleration = [](const std::string&, double t) { return t > 2.0 ? 3.0 : -1.0; };
+  const Response response = script.response();
+  double first = 0.0;  // kg m
+  for (int storey = 0; storey < 4; ++storey)
+    first += 2400.0 * (2 * 0.3 * 2.6 * (2.8 * storey + 1.3) + 10.7 * 0.2 * (2.8 * storey + 2.7));
+  EXPECT_NEAR(response.overturning_moment.front(), -first, 1e-6);
+  EXPECT_NEAR(response.overturning_moment.back(), 3.0 * first, 1e-6);
+  EXPECT_NEAR(response.peak_overturning_moment.positive.value, 3.0 * first, 1e-6);
+  EXPECT_NEAR(response.height, 11.2, 1e-12);
+}
+
+TEST(OverturningMoment, PeaksBeforeAStoreyIsLost) {
+  Script script = frame();
+  script.block = [](const std::string&, double t) { return Pose{0, t > 3.0 ? -2.0 * (t - 3.0) : 0.0, 0}; };
+  script.acceleration = [](const std::string&, double t) { return t > 3.5 ? 100.0 : 1.0; };
+  const Response response = script.response();
+  EXPECT_LT(response.peak_overturning_moment.positive.value, 0.1 * response.overturning_moment.back());
+}
+
 TEST(Loss, IsNotASlenderColumnRockingAtTenDegrees) {
   Script script = frame();
   script.block = [](const std::string& name, double t) {

@@ -162,6 +162,28 @@ TEST_F(Run, ABuildingThatCollapsesEndsWith10) {
                       with_quick_plots());
   EXPECT_EQ(ran.exit_code, 10) << ran.out << ran.err;
   EXPECT_EQ(summary("out").at("verdict").at("kind"), "collapsed");
+  const json collapse = summary("out").at("collapse");
+  EXPECT_EQ(collapse.at("mode"), "sway") << "one storey on two columns";
+  EXPECT_LE(collapse.at("initiation"), collapse.at("complete"));
+  EXPECT_LE(collapse.at("no_return"), collapse.at("complete"));
+  EXPECT_THAT(ran.out, HasSubstr("fall         sway, began"));
+  EXPECT_TRUE(exists("out/collapse_sequence.csv"));
+}
+
+TEST_F(Run, ScreensByTheStandardsThatAreNamed) {
+  const Ran ran = run(short_run("out", {"--codes", "fema356", "--set", "screening.structure=rc frame"}),
+                      with_quick_plots());
+  EXPECT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_THAT(ran.out, HasSubstr("FEMA 356: 0 of 5 limits exceeded"));
+  EXPECT_THAT(ran.out, HasSubstr("screening, not code compliance"));
+  EXPECT_EQ(summary("out").at("screening").at("checks").size(), 5u);
+  EXPECT_TRUE(exists("out/screening.csv"));
+}
+
+TEST_F(Run, ScreensNothingThatIsLaidDry) {
+  const Ran ran = run(short_run("out"), with_quick_plots());
+  EXPECT_THAT(ran.out, Not(HasSubstr("screening")));
+  EXPECT_THAT(summary("out").at("screening").at("checks"), testing::IsEmpty());
 }
 
 TEST_F(Run, ABuildingThatSinksIntoItselfIsNumericallyInvalidAndNotShaken) {

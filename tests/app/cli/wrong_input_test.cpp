@@ -66,6 +66,11 @@ TEST_F(WrongInput, AnUnknownKeyIsAnsweredByTheNearest) {
   expect_refusal(short_run("out", {"--set", "nonsense"}), {"--set nonsense", "expected key=value"});
 }
 
+TEST_F(WrongInput, AMistypedStandardIsAnsweredByTheNearest) {
+  expect_refusal(short_run("out", {"--codes", "gb5011"}),
+                 {"--codes", "screening.codes", "did you mean \"gb50011\"?"});
+}
+
 TEST_F(WrongInput, ALengthWithoutUnitListsTheUnits) {
   expect_refusal(
       short_run("out", {"--set", "left_column_width=0.3"}),

@@ -163,6 +163,9 @@ void add_response(RunResult& run, const Shaking& s) {
   r.roof_displacement = below;
   for (std::size_t k = 0; k < r.times.size(); ++k)
     r.base_shear.push_back(-0.02 * r.weight * 1e3 * r.storeys[0].drift[k]);
+  for (std::size_t k = 0; k < r.times.size(); ++k) r.overturning_moment.push_back(7.0 * r.base_shear[k]);
+  r.height = run.model.storeys.back().base + run.model.storeys.back().height;
+  r.peak_overturning_moment = envelope(r.times, r.overturning_moment, 1e9);
   r.peak_roof_displacement = envelope(r.times, r.roof_displacement, 1e9);
   r.peak_base_shear = envelope(r.times, r.base_shear, 1e9);
 }
@@ -286,6 +289,11 @@ EnsembleSheet small_ensemble() {
 RunResult repeated() {
   RunResult run = collapsed();
   run.ensemble = small_ensemble();
+  run.screening = {
+      "rc frame",
+      {"FEMA 356 (Table C1-3): typical values."},
+      {{"FEMA 356", "Table C1-3", "concrete frames", "2", "LS", "peak drift", 0.02, 0.03, true},
+       {"FEMA 356", "Table C1-3", "concrete frames", "2", "CP", "peak drift", 0.04, 0.03, false}}};
   run.model.bonds = 3;
   run.model.bonded = {{"base", 0, {-0.25, -1.3}, {0.25, -1.3}, 9.5, 9.7, "tension"},
                       {"head", 2, {-2.5, -0.2}, {-2.0, -0.2}, 9.1, DrawnBond::never, "shear"},

@@ -1,9 +1,12 @@
 // The drawn buildings: sizes, and that blocks are where they should be in the colour they should have.
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "app/report/camera.h"
+#include "app/report/film.h"
+#include "app/report/film_instruments.h"
 #include "app/report/image.h"
 #include "app/report/lettering.h"
 #include "app/report/model_svg.h"
@@ -126,6 +129,62 @@ TEST(Scene, FramesAreSixToEightMomentsInOrder) {
   EXPECT_TRUE(std::is_sorted(frames.begin(), frames.end(),
                              [](const Frame& a, const Frame& b) { return a.step < b.step; }));
   EXPECT_TRUE(frames_of({}).empty());
+}
+
+TEST(Film, HasFiftyFramesASecondAtTrueSpeedAndMoreWhenSlowed) {
+  const RunResult run = fixtures::collapsed();  // 30 s
+  EXPECT_EQ(film_frames(run, {}).size(), 1501u);
+  EXPECT_EQ(film_frames(run, {.slow = 4.0}).size(), 6001u);
+  EXPECT_NEAR(film_frames(run, {}).at(100).time, 2.0, 1e-9);
+  EXPECT_NEAR(film_frames(run, {.slow = 4.0}).at(400).time, 2.0, 1e-9);
+  EXPECT_TRUE(film_frames({}, {}).empty());
+}
+
+TEST(Film, SaysWhatHappensWhileItIsNews) {
+  const RunResult run = fixtures::collapsed();
+  const auto frames = film_frames(run, {});
+  EXPECT_EQ(frames.at(480).caption, "first slip");  // 9.6 s
+  EXPECT_EQ(frames.at(535).caption, "");            // 10.7 s
+  EXPECT_EQ(film_frames(run, {.slow = 2.0}).at(960).caption, "first slip; 2 times slowed");
+}
+
+/// Pixels of a colour below a line.
+std::size_t count_of(const Image& image, Colour colour, int from) {
+  const Image one(1, 1, colour);
+  std::size_t count = 0;
+  for (int y = from; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x)
+      count += std::equal(image.at(x, y), image.at(x, y) + 3, one.at(0, 0));
+  return count;
+}
+
+TEST(Film, ACursorRunsAlongTheMotionAndBarsShowTheDrifts) {
+  const RunResult run = fixtures::collapsed();
+  const auto frames = film_frames(run, {.frames_a_second = 1.0});
+  const SceneView view = film_view(run, frames);
+  const Image start = film_image(run, frames.front(), view), end = film_image(run, frames.back(), view);
+  EXPECT_EQ(start.width % 2 + start.height % 2, 0);
+  EXPECT_EQ(start.width, 960);
+  const int strip = start.height - motion_strip_height;
+  const auto cursor = [&](const Image& image, int from, int to) {
+    const Image one(1, 1, ink::lost);
+    for (int x = from; x < to; ++x)
+      if (std::equal(one.at(0, 0), one.at(0, 0) + 3, image.at(x, strip + 30))) return true;
+    return false;
+  };
+  EXPECT_TRUE(cursor(start, 0, 30));
+  EXPECT_FALSE(cursor(start, 900, 960));
+  EXPECT_TRUE(cursor(end, 900, 960));
+  EXPECT_GT(count_of(start, category(0), strip), 500u);  // the trace
+  EXPECT_EQ(film_image(run, frames.at(5), view).height, start.height);
+}
+
+TEST(Film, OfAFreeSceneHasNoInstruments) {
+  RunResult run = fixtures::survived();
+  run.model.free_scene = true;
+  EXPECT_FALSE(has_instruments(run));
+  EXPECT_TRUE(has_instruments(fixtures::survived()));
+  EXPECT_FALSE(has_instruments(fixtures::motionless()));
 }
 
 TEST(Model, AThousandBricksReadAsAWall) {

@@ -100,6 +100,10 @@ TEST(Report, WritesEveryFileIntoAFolderWithSpaces) {
                            "figures/energy.svg",
                            "figures/overlap.svg",
                            "figures/mass_lost.svg",
+                           "figures/hysteresis.svg",
+                           "figures/floor_spectra.svg",
+                           "figures/energy_stack.svg",
+                           "floor_spectra.csv",
                            "collapse_sequence.csv",
                            "falls.csv",
                            "mass_lost.csv",
@@ -149,13 +153,23 @@ TEST(Page, TellsHowItFell) {
         "Point of no return", "11.10 s", "140.0 kJ in all 2 blocks", "1 block fell over the end",
         "3.2 m², 6 % of the 52.0 m² before"})
     EXPECT_THAT(page, HasSubstr(words));
-  EXPECT_THAT(page_of(fixtures::survived()), HasSubstr("No block was lost."));
+  EXPECT_THAT(page_of(fixtures::survived()), HasSubstr("No block was lost during the run."));
+  RunResult older = fixtures::collapsed();
+  older.collapse = {};
+  EXPECT_THAT(page_of(older), HasSubstr("from before it was told how"));
 }
 
 TEST(Page, DoesNotTellHowFailedNumbersFell) {
   RunResult run = fixtures::survived();
   run.verdict.kind = structures::VerdictKind::numerically_invalid;
   EXPECT_THAT(page_of(run), HasSubstr("the numbers failed, so nothing is said of a fall"));
+}
+
+TEST(Page, ScreensByStandardsAndSaysThatItIsNoCompliance) {
+  const std::string page = page_of(fixtures::repeated());
+  for (const char* words : {"Screening, not code compliance", "concrete frames", "Table C1-3", "exceeded",
+                            "A storey was lost: no limit is kept"})
+    EXPECT_THAT(page, HasSubstr(words));
 }
 
 TEST(Page, SaysHowSureItIs) {

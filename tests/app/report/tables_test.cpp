@@ -12,8 +12,10 @@
 #include "app/report/csv.h"
 #include "app/report/decimate.h"
 #include "app/report/safe_file.h"
+#include "app/report/screening_text.h"
 #include "app/report/summary.h"
 #include "app/report/text.h"
+#include "app/study/floor_spectra.h"
 #include "fixtures.h"
 
 namespace dougong::app {
@@ -118,6 +120,19 @@ TEST(CollapseCsv, MassLostIsThePartTimesTheStoreysMass) {
   EXPECT_EQ(number(rows[1][1]), 0.0);
 }
 
+TEST(Screening, IsALineAStandard) {
+  EXPECT_THAT(screening_lines(fixtures::repeated().screening),
+              testing::ElementsAre("FEMA 356: 1 of 2 limits exceeded; farthest exceeded: LS (1/50, concrete "
+                                   "frames); nearest kept: CP (1/25, concrete frames) at 0.75 of it"));
+}
+
+TEST(ScreeningCsv, HasEveryCheckWithItsSource) {
+  const auto rows = cells(screening_csv(fixtures::repeated().screening));
+  ASSERT_EQ(rows.size(), 3u);
+  EXPECT_THAT(rows[1], testing::ElementsAre("FEMA 356", "Table C1-3", "concrete frames", "LS", "peak drift",
+                                            "0.02", "0.03", "1", "2"));
+}
+
 TEST(Summary, TellsOfACollapseOnlyWhereThereWasOne) {
   EXPECT_FALSE(Json::parse(summary_json(fixtures::survived(), {})).contains("collapse"));
   const Json collapse = Json::parse(summary_json(fixtures::collapsed(), {}))["collapse"];
@@ -183,6 +198,15 @@ TEST(Csv, EveryTableHasItsHeaderAndRows) {
     for (const auto& row : rows) ASSERT_EQ(row.size(), rows[0].size());
   }
   EXPECT_EQ(cells(energy_csv({})).size(), 1u);
+}
+
+TEST(Csv, FloorSpectraHaveTheGroundAndEveryFloor) {
+  const RunResult run = fixtures::survived();
+  const auto rows = cells(floor_spectra_csv(floor_spectra(run)));
+  EXPECT_THAT(rows[0], testing::ElementsAre("period (s)", "ground PSa 5 % (m/s2)", "S1 PSa 5 % (m/s2)",
+                                            "S2 PSa 5 % (m/s2)", "S3 PSa 5 % (m/s2)", "S4 PSa 5 % (m/s2)"));
+  EXPECT_NEAR(number(rows[1][0]), 0.2, 1e-12);  // ten output intervals of 0.02 s
+  EXPECT_NEAR(number(rows.back()[0]), 10.0, 1e-9);
 }
 
 TEST(Csv, BaseShearOverWeightIsTheirQuotient) {
