@@ -58,13 +58,25 @@ Preparation prepare_aloud(const Scenario& scenario, const Terminal& terminal) {
   return preparation;
 }
 
-RunResult shake(Preparation& preparation, const std::string& command, Interrupts& interrupts,
-                Terminal& terminal) {
+// A report of an earlier run must not stand beside other results.
+void save(const RunResult& result, const fs::path& directory) {
+  std::error_code ignored;
+  fs::remove(directory / "report.html", ignored);
+  fs::remove(directory / "summary.json", ignored);
+  write_results(result, directory / "results.h5");
+}
+
+// What there is of a long run is saved now and then: a run that is killed leaves it behind.
+RunResult shake(Preparation& preparation, const std::string& command, const fs::path& directory,
+                Interrupts& interrupts, Terminal& terminal) {
   interrupts.run_begins();
-  RunResult result = execute(preparation, command, [&](const Progress& progress) {
-    terminal.progress(progress);
-    return !interrupts.asked();
-  });
+  RunResult result = execute(
+      preparation, command,
+      [&](const Progress& progress) {
+        terminal.progress(progress);
+        return !interrupts.asked();
+      },
+      [&](const RunResult& so_far) { save(so_far, directory); });
   terminal.end_progress();
   return result;
 }
@@ -78,7 +90,7 @@ std::size_t jobs_of(const RunOptions& options) {
 void repeat(const Preparation& preparation, std::size_t jobs, const fs::path& directory,
             Interrupts& interrupts, Terminal& terminal, RunResult& result) {
   if (preparation.scenario.ensemble.n < 2 || result.partial) return;
-  write_results(result, directory / "results.h5");
+  save(result, directory);
   terminal.line(
       fmt::format("Running {} more times with small changes ...", preparation.scenario.ensemble.n - 1),
       Tone::faint);
@@ -89,12 +101,9 @@ void repeat(const Preparation& preparation, std::size_t jobs, const fs::path& di
   terminal.end_progress();
 }
 
-// The report is drawn from what the file holds. A report of an earlier run must not stand beside it.
+// The report is drawn from what the file holds.
 RunResult save_and_reload(const RunResult& result, const fs::path& directory) {
-  std::error_code ignored;
-  fs::remove(directory / "report.html", ignored);
-  fs::remove(directory / "summary.json", ignored);
-  write_results(result, directory / "results.h5");
+  save(result, directory);
   return read_results(directory / "results.h5");
 }
 
@@ -155,7 +164,7 @@ int run_command(const RunOptions& options) {
   const OutputFolder folder(scenario.output.directory, options.force);
   Interrupts interrupts(folder.made());
   Preparation preparation = prepare_aloud(scenario, terminal);
-  RunResult computed = shake(preparation, options.command, interrupts, terminal);
+  RunResult computed = shake(preparation, options.command, folder.path(), interrupts, terminal);
   repeat(preparation, jobs_of(options), folder.path(), interrupts, terminal, computed);
   say_answer(computed, terminal);
   const RunResult result = save_and_reload(computed, folder.path());

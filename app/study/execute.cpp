@@ -151,45 +151,26 @@ class CollapseWatch {
   std::optional<double> lost_at_;
 };
 
-engine::RunOutcome shake(Preparation& p, Recorder& recorder, const ProgressObserver& progress) {
-  engine::DriveOptions options = p.drive;
-  if (!stands(p)) options.end_time = 0.0;
-  CollapseWatch collapse(p);
-  engine::RunOutcome run = engine::drive(p.model, p.state, options, [&](const engine::Sample& sample) {
-    recorder.note(sample);
-    if (progress && !progress(recorder.progress())) return engine::Wish::interrupt;
-    return collapse.over(recorder.trajectory) ? engine::Wish::stop : engine::Wish::go_on;
-  });
-  if (run.outcome == engine::Outcome::stopped_by_criterion) run.detail = collapse.reason();
-  if (run.outcome == engine::Outcome::step_too_large)
-    throw std::invalid_argument("solve.step: " + run.detail);
-  return run;
-}
-
-}  // namespace
-
-RunResult execute(Preparation& p, const std::string& command, const ProgressObserver& progress) {
+/// The sheets that are known before the building is shaken.
+RunResult begun(const Preparation& p, const std::string& command) {
   RunResult result;
   result.reproducibility =
       reproducibility_of(to_toml(p.scenario), p.motion.records.horizontal().provenance.sha256, command);
   result.model = model_sheet(p);
   result.motion = motion_sheet(p.motion, p.period);
   result.settle = settle_sheet(p.settle);
+  if (!stands(p)) result.verdict = verdict_before_shaking(p);
+  return result;
+}
 
-  const structures::Verdict early_verdict = stands(p) ? structures::Verdict{} : verdict_before_shaking(p);
-  const Stopwatch watch;
-  Recorder recorder(p, result.model.bonded);
-  const engine::RunOutcome run = shake(p, recorder, progress);
-  result.reproducibility.wall_seconds = watch.wall();
-  result.reproducibility.cpu_seconds = watch.cpu();
+RunResult gathered(RunResult result, const Preparation& p, const engine::RunOutcome& run, Recorder recorder) {
   result.reproducibility.state_hash = engine::state_hash(p.state);
-
   result.partial = run.outcome == engine::Outcome::interrupted;
   result.numerics = numerics_of(p, run, recorder);
   result.response = structures::compute_response(p.building, recorder.trajectory, p.scenario.loss);
-  result.verdict = stands(p) ? structures::judge(result.response, evidence_of(result.numerics, run, recorder),
-                                                 p.scenario.verdict)
-                             : early_verdict;
+  if (stands(p))
+    result.verdict =
+        structures::judge(result.response, evidence_of(result.numerics, run, recorder), p.scenario.verdict);
   if (result.verdict.kind != structures::VerdictKind::numerically_invalid)
     result.collapse = structures::describe_collapse(p.building, recorder.trajectory, p.scenario.loss);
   result.screening = screening_of(p.scenario.screening, p.building, result.response, result.verdict);
@@ -200,6 +181,89 @@ RunResult execute(Preparation& p, const std::string& command, const ProgressObse
   result.energy.input_error = input_error(result.energy, result.energy.error.size());
   result.moments = moments_of(result);
   return result;
+}
+
+/// When the next snapshot is due: they take a fiftieth of the time at most.
+class SnapshotClock {
+ public:
+  explicit SnapshotClock(double interval) : interval_(interval), next_(interval) {}
+
+  bool due() const { return clock_.wall() >= next_; }
+  template <class Take>
+  void taken(const Take& take) {
+    const double before = clock_.wall();
+    take();
+    const double after = clock_.wall();
+    next_ = after + std::max(interval_, 49.0 * (after - before));
+  }
+  const Stopwatch& clock() const { return clock_; }
+
+ private:
+  Stopwatch clock_;
+  double interval_, next_;  // s, of the clock
+};
+
+class Shaking {
+ public:
+  Shaking(Preparation& p, const RunResult& start, const ProgressObserver& progress,
+          const SnapshotObserver& snapshot)
+      : recorder(p, start.model.bonded),
+        p_(p),
+        start_(start),
+        progress_(progress),
+        snapshot_(snapshot),
+        collapse_(p),
+        snapshots_(p.scenario.output.save_every) {}
+
+  engine::RunOutcome run() {
+    engine::DriveOptions options = p_.drive;
+    if (!stands(p_)) options.end_time = 0.0;
+    engine::RunOutcome run =
+        engine::drive(p_.model, p_.state, options, [&](const engine::Sample& s) { return note(s); });
+    if (run.outcome == engine::Outcome::stopped_by_criterion) run.detail = collapse_.reason();
+    if (run.outcome == engine::Outcome::step_too_large)
+      throw std::invalid_argument("solve.step: " + run.detail);
+    return run;
+  }
+  void note_cost(RunResult& result) const {
+    result.reproducibility.wall_seconds = snapshots_.clock().wall();
+    result.reproducibility.cpu_seconds = snapshots_.clock().cpu();
+  }
+
+  Recorder recorder;
+
+ private:
+  engine::Wish note(const engine::Sample& sample) {
+    recorder.note(sample);
+    if (progress_ && !progress_(recorder.progress())) return engine::Wish::interrupt;
+    if (snapshot_ && snapshots_.due()) snapshots_.taken([&] { take_snapshot(sample.so_far); });
+    return collapse_.over(recorder.trajectory) ? engine::Wish::stop : engine::Wish::go_on;
+  }
+  void take_snapshot(engine::RunOutcome so_far) const {
+    so_far.outcome = engine::Outcome::interrupted;
+    RunResult result = gathered(start_, p_, so_far, recorder);
+    note_cost(result);
+    snapshot_(result);
+  }
+
+  Preparation& p_;
+  const RunResult& start_;
+  const ProgressObserver& progress_;
+  const SnapshotObserver& snapshot_;
+  CollapseWatch collapse_;
+  SnapshotClock snapshots_;
+};
+
+}  // namespace
+
+RunResult execute(Preparation& p, const std::string& command, const ProgressObserver& progress,
+                  const SnapshotObserver& snapshot) {
+  const RunResult start = begun(p, command);
+  Shaking shaking(p, start, progress, snapshot);
+  const engine::RunOutcome run = shaking.run();
+  RunResult result = start;
+  shaking.note_cost(result);
+  return gathered(std::move(result), p, run, std::move(shaking.recorder));
 }
 
 }  // namespace dougong::app

@@ -15,8 +15,12 @@ struct Progress {
 /// Returns false to interrupt the run: what was reached is kept and marked as partial.
 using ProgressObserver = std::function<bool(const Progress&)>;
 
-/// Throws std::invalid_argument when the step that was asked for is above the stability bound.
-RunResult execute(Preparation& preparation, const std::string& command,
-                  const ProgressObserver& progress = {});
+/// What there is of a run that goes on, as if it had been interrupted here.
+using SnapshotObserver = std::function<void(const RunResult&)>;
+
+/// Snapshots come as output.save_every of the scenario says. Throws std::invalid_argument when the step that
+/// was asked for is above the stability bound.
+RunResult execute(Preparation& preparation, const std::string& command, const ProgressObserver& progress = {},
+                  const SnapshotObserver& snapshot = {});
 
 }  // namespace dougong::app

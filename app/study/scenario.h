@@ -93,6 +93,7 @@ struct EnsembleChoice {
 struct OutputChoice {
   double rate = 100.0;  // Hz
   std::string directory = "dougong-out";
+  double save_every = 30.0;  // s, of the clock
 };
 
 struct Scenario {

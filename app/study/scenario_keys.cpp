@@ -203,6 +203,9 @@ std::vector<ScenarioKey> make_table() {
 
       number("output.rate", slot<&S::output, &O::rate>, frequency, 0.01, 1e6, "output times a second"),
       text("output.directory", slot<&S::output, &O::directory>, "where the results are written"),
+      number("output.save_every", slot<&S::output, &O::save_every>, time, 0.0, endless,
+             "of the clock: what there is of a run is saved this often, if that takes no more than a "
+             "fiftieth of the time"),
   };
 }
 

@@ -222,6 +222,19 @@ TEST_F(Interrupted, ABatchSystemThatEndsARunGetsAPartialResultToo) {
   EXPECT_TRUE(summary("out/deep").at("partial").get<bool>());
 }
 
+TEST_F(Interrupted, AKilledRunLeavesTheLastThatWasSaved) {
+  const Ran ran = interrupted_run(SIGKILL, " 20 % ", {"--set", "output.save_every=0 s"});
+  ASSERT_EQ(ran.signal, SIGKILL) << ran.out;
+  const RunResult result = read_results(folder() / "out/deep/results.h5");
+  EXPECT_TRUE(result.partial);
+  EXPECT_GT(result.numerics.end_time, 0.0);
+  EXPECT_EQ(result.trajectory.times.back(), result.numerics.end_time);
+  const Ran drawn = run({"report", "out/deep"}, with_quick_plots());
+  EXPECT_EQ(drawn.exit_code, 0) << drawn.err;
+  EXPECT_THAT(drawn.out, HasSubstr("INTERRUPTED"));
+  EXPECT_TRUE(summary("out/deep").at("partial").get<bool>());
+}
+
 TEST_F(Interrupted, APreparationLeavesNothingBehind) {
   const Ran ran =
       interrupted_run(SIGINT, "Preparing",

@@ -43,6 +43,26 @@ TEST(Execute, NotesWhichBondsCrackHowAndWhen) {
   EXPECT_GT(r.energy.fracture.back(), 0.0);
 }
 
+TEST(Execute, TellsOnTheWayWhatAnInterruptionWouldLeave) {
+  Preparation watched = prepared_drum(), stopped = prepared_drum();
+  watched.scenario.output.save_every = 0.0;
+  std::vector<RunResult> snapshots;
+  const RunResult whole =
+      execute(watched, "", {}, [&](const RunResult& so_far) { snapshots.push_back(so_far); });
+  ASSERT_FALSE(snapshots.empty());
+  const RunResult& snapshot = snapshots.back();
+  const RunResult part =
+      execute(stopped, "", [&](const Progress& p) { return p.time < snapshot.numerics.end_time; });
+  EXPECT_TRUE(snapshot.partial);
+  EXPECT_EQ(snapshot.trajectory.poses, part.trajectory.poses);
+  EXPECT_EQ(snapshot.verdict.headline, part.verdict.headline);
+  EXPECT_EQ(snapshot.numerics.steps, part.numerics.steps);
+  EXPECT_EQ(snapshot.reproducibility.state_hash, part.reproducibility.state_hash);
+  EXPECT_FALSE(whole.partial);
+  Preparation unwatched = prepared_drum();
+  EXPECT_EQ(whole.reproducibility.state_hash, execute(unwatched, "").reproducibility.state_hash);
+}
+
 TEST(Execute, TheEnergyErrorIsWhatTheColumnsLeaveOver) {
   Preparation p = prepared_drum();
   const EnergyHistory e = execute(p, "").energy;
