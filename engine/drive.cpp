@@ -242,6 +242,14 @@ class Runner {
     state_.work.stagger += work.values[4];
     ++outcome_.steps;
     if (state_.bonds.cracked) let_go();
+    if (state_.bonds.loosened) loosen();
+  }
+
+  // What nothing ties any longer is damped as any contact.
+  void loosen() {
+    state_.contacts.limit_damping(tied_pairs(model_, state_.bonds));
+    state_.bonds.loosened = false;
+    countdown_ = 1;
   }
 
   // What a joined face held touches from now on; the contacts store what its points had stored.
@@ -250,7 +258,7 @@ class Runner {
     for (const ReleasedPair& pair : release_cracked(model_, state_.bonds, frames))
       if (!rigid_) state_.contacts.inherit(pair.bodies, pair.energy);
     state_.contacts.keep_apart(held_pairs(model_, state_.bonds));
-    countdown_ = 1;  // the step that ends now is counted yet
+    loosen();  // the step that ends now is counted yet
     restart();
   }
 
@@ -294,7 +302,8 @@ class Runner {
   Wish sample(const Observer& observe) {
     if (!observe) return Wish::go_on;
     dynamics_.observe(state_.time, state_.q(), state_.v(), accelerations_);
-    return observe({state_, accelerations_, dynamics_.terrain_reaction()});
+    note_progress();
+    return observe({state_, accelerations_, dynamics_.terrain_reaction(), outcome_});
   }
 
   RunOutcome end_as_wished(Wish wish) {
@@ -304,10 +313,14 @@ class Runner {
   RunOutcome end(Outcome outcome, const std::string& detail) {
     outcome_.outcome = outcome;
     outcome_.detail = detail;
+    note_progress();
+    return outcome_;
+  }
+
+  void note_progress() {
     outcome_.end_time = state_.time;
     outcome_.evaluations = dynamics_.evaluations();
     if (dynamics_.impulses()) outcome_.impulses = dynamics_.impulses()->statistics();
-    return outcome_;
   }
 
   const Model& model_;

@@ -37,17 +37,6 @@ struct DriveOptions {
   double local_damping = 0.0;  // of Dynamics; only for finding an equilibrium
 };
 
-/// A state at an output time, with what only the running system knows.
-struct Sample {
-  const State& state;
-  std::span<const double> accelerations;  // [x | y | angle], m/s2 and rad/s2
-  Vec2 terrain_reaction;                  // N, of the terrains on the bodies
-};
-/// What an observer wants next. The run's outcome tells which of the two ended it.
-enum class Wish { go_on, stop, interrupt };
-/// Called at t = 0 and at every output time.
-using Observer = std::function<Wish(const Sample&)>;
-
 struct RunOutcome {
   Outcome outcome = Outcome::completed;
   std::string detail;            // body, quantity, time
@@ -61,6 +50,18 @@ struct RunOutcome {
   std::size_t evaluations = 0;  // of the forces
   ImpulseStatistics impulses;   // of rigid contacts
 };
+
+/// A state at an output time, with what only the running system knows.
+struct Sample {
+  const State& state;
+  std::span<const double> accelerations;  // [x | y | angle], m/s2 and rad/s2
+  Vec2 terrain_reaction;                  // N, of the terrains on the bodies
+  const RunOutcome& so_far;               // as if the run ended here
+};
+/// What an observer wants next. The run's outcome tells which of the two ended it.
+enum class Wish { go_on, stop, interrupt };
+/// Called at t = 0 and at every output time.
+using Observer = std::function<Wish(const Sample&)>;
 
 /// What drive() would do: the step and bound it would start with. Throws std::invalid_argument for an
 /// unknown integrator (naming the known ones) or options out of range.

@@ -19,6 +19,7 @@ State initial_state(const Model& model, const Scene& scene) {
   state.joints = initial_joints(model, frames);
   state.contacts = ContactSet(model);
   state.contacts.keep_apart(held_pairs(model, state.bonds));
+  state.contacts.limit_damping(tied_pairs(model, state.bonds));
   state.contacts.update(model, frames);
   return state;
 }

@@ -44,6 +44,7 @@ struct BondHistory {
   bool broken = false;
   bool sheared = false;  // that is why it broke
   bool joined = true;    // the face has no crack: its points bear compression
+  bool was_joined = false;
   /// Nothing is left of it: the contacts bear what there is to bear.
   bool gone() const { return broken && !joined; }
 };

@@ -109,6 +109,7 @@ void add_points(const Bond& bond, const Model& model, std::span<const Frame> fra
     const Vec2 on_a = fa.to_local(place);
     p.offset = {dot(p.normal_a, on_a), dot(turned(p.normal_a), on_a)};
     p.law = law_of(bond, model, area, per_area, a, b);
+    p.damping_ratio = bond.damping_ratio;
     p.law.normal_damping = dashpot(bond.damping_ratio, p.law.normal, model, p, fa, fb, face.normal);
     p.law.tangential_damping = dashpot(bond.damping_ratio, p.law.tangential, model, p, fa, fb, face.tangent);
     points.push_back(p);
@@ -230,6 +231,7 @@ std::vector<ReleasedPair> release_cracked(const Model& model, BondState& state,
     const double closed = std::min(0.0, bond_geometry(point, frames).opening - state.history[i].plastic);
     pair->second += 0.5 * point.law.normal * closed * closed;
     state.history[i].joined = false;
+    state.history[i].was_joined = true;
   }
   state.cracked = false;
   std::vector<ReleasedPair> pairs;
@@ -246,6 +248,19 @@ std::vector<BodyPair> held_pairs(const Model& model, const BondState& state) {
     if (state.history[i].joined) hold(model.bond_points[i].a, model.bond_points[i].b);
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
+}
+
+std::vector<PairDamping> tied_pairs(const Model& model, const BondState& state) {
+  std::map<BodyPair, double> ratios;
+  for (std::size_t i = 0; i < model.bond_points.size(); ++i) {
+    if (!state.history[i].was_joined || state.history[i].broken) continue;
+    const BondPoint& point = model.bond_points[i];
+    double& ratio = ratios[pair_of(point)];
+    ratio = std::max(ratio, point.damping_ratio);
+  }
+  std::vector<PairDamping> pairs;
+  for (const auto& [bodies, ratio] : ratios) pairs.push_back({bodies, ratio});
   return pairs;
 }
 
@@ -271,8 +286,10 @@ void add_force(const BondPoint& p, const BondGeometry& g, const BondForce& f, st
 }
 
 void note_damage(const BondPoint& p, const BondHistory& before, const BondHistory& after, BondState& state) {
-  state.broken += after.broken && !before.broken;
+  const bool breaks = after.broken && !before.broken;
+  state.broken += breaks;
   state.cracked |= after.joined && has_cracked(p.law, after);
+  state.loosened |= breaks && after.was_joined;
 }
 
 }  // namespace

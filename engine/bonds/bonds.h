@@ -30,6 +30,7 @@ struct BondState {
   std::vector<BondPast> past;
   std::size_t broken = 0;  // points
   bool cracked = false;    // a face that was joined has a crack: release_cracked() is due
+  bool loosened = false;   // a point of a cracked face broke: tied_pairs() may have changed
 };
 
 struct BondGeometry {
@@ -61,6 +62,10 @@ std::vector<ReleasedPair> release_cracked(const Model& model, BondState& state,
 
 /// Sorted pairs that do not touch because a pin, a weld or a joined face holds them.
 std::vector<BodyPair> held_pairs(const Model& model, const BondState& state);
+
+/// Sorted pairs whose joined face has a crack and that a bond ties yet: their contacts are damped as the bond
+/// is.
+std::vector<PairDamping> tied_pairs(const Model& model, const BondState& state);
 
 BondGeometry bond_geometry(const BondPoint& point, std::span<const Frame> frames);
 /// Adds the forces of all bonds. With `commit`, the poses are those of an accepted step: points yield and

@@ -13,6 +13,7 @@ struct BondPoint {
   Vec2 normal_a;  // -, in the frame of a, from a to b
   Vec2 offset;    // m, of the face from the centroid of a, along normal and tangent
   BondStiffness law;
+  double damping_ratio = 0.0;  // -, of law's dashpots
 };
 
 struct JointElement {

@@ -17,6 +17,13 @@ struct BodyPair {
   friend auto operator<=>(const BodyPair&, const BodyPair&) = default;
 };
 
+/// The most damping ratio that the contacts of two bodies have.
+struct PairDamping {
+  BodyPair bodies;
+  double ratio = 0.0;  // -
+  friend bool operator==(const PairDamping&, const PairDamping&) = default;
+};
+
 /// Sorted pairs of colliders (indices into Model::colliders) that are within `skin` of each other, and some
 /// that are not quite.
 std::vector<BodyPair> find_pairs(const Model& model, std::span<const Frame> frames, double skin);

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/contact/stiffness.h"
+#include "engine/contact/pair_energy.h"
+#include "engine/contact/pair_points.h"
 #include "engine/kernels.h"
 
 namespace dougong::engine {
@@ -88,60 +89,10 @@ double time_to_go(const Model& model, double way, double speed) {
   return speed + root > 0.0 ? 2.0 * way / (speed + root) : std::numeric_limits<double>::infinity();
 }
 
-bool same_features(const Manifold& a, const Manifold& b) {
-  if (a.count != b.count) return false;
-  for (Index i = 0; i < a.count; ++i)
-    if (a.features[i].identity != b.features[i].identity) return false;
-  return true;
-}
-
-// The lighter of two bodies rocks on the other, which is taken to stand still.
-RockingImpact rocking_impact(const Model& model, const Manifold& m, BodyPair bodies,
-                             const PointStiffness& law) {
-  const bool a_rocks = model.mass[bodies.a] <= model.mass[bodies.b];
-  const Index body = a_rocks ? bodies.a : bodies.b;
-  return {model.mass[body], model.inertia[body], 0.5 * m.length, a_rocks ? m.depth_a : m.depth_b, law};
-}
-
-Vec2 place_of(const ContactPoints& points, std::size_t i, std::span<const Frame> frames) {
-  return frames[points.edge_body[i]].position() + geometry_of(points, i, frames).arm_edge;
-}
-
-// The sense in which a point's force turns the corner's body more if it acts nearer to the other point.
-double inward_turn(const ContactPoints& points, std::size_t i, std::size_t other,
-                   std::span<const Frame> frames) {
-  const Vec2 tangent = turned(geometry_of(points, i, frames).normal);
-  const Vec2 inward = place_of(points, other, frames) - place_of(points, i, frames);
-  return dot(inward, tangent) > 0.0 ? -1.0 : 1.0;
-}
-
-// Of the springs along the normals of a pair's two points (J).
-double energy_of(const ContactPoints& points, std::size_t first, std::span<const Frame> frames) {
-  double energy = 0.0;
-  for (const std::size_t i : {first, first + 1}) {
-    const PointGeometry g = geometry_of(points, i, frames);
-    if (g.overlap > 0.0) energy += 0.5 * law_at(points, i, g).normal * g.overlap * g.overlap;
-  }
-  return energy;
-}
-
-PointStiffness hardened(PointStiffness law, double factor) {
-  law.normal *= factor, law.tangential *= factor;
-  law.normal_damping *= std::sqrt(factor), law.tangential_damping *= std::sqrt(factor);
-  return law;
-}
-
-// The history that another feature hands over, with a spring that holds its slip.
-PointHistory history_with_slip(const ContactPoints& points, std::size_t i, std::span<const Frame> frames,
-                               const PointHistory& kept, double slip) {
-  const Frame &corner = frames[points.corner_body[i]], &edge = frames[points.edge_body[i]];
-  const PointGeometry g = geometry_of(points, i, frames);
-  const bool round = points.kind[i] == FeatureKind::round;
-  PointHistory history{
-      round ? -slip : g.position - slip, false, {0.0, 1.0}, 0.0, 0.0, kept.resting, kept.calm_since};
-  if (round)
-    history.direction = g.normal, history.angle_corner = corner.angle, history.angle_edge = edge.angle;
-  return history;
+std::optional<double> damping_of(const std::vector<PairDamping>& tied, BodyPair bodies) {
+  const auto found = std::ranges::lower_bound(tied, bodies, {}, &PairDamping::bodies);
+  if (found == tied.end() || found->bodies != bodies) return {};
+  return found->ratio;
 }
 
 }  // namespace
@@ -167,6 +118,16 @@ ContactSet::ContactSet(const Model& model) {
 void ContactSet::keep_apart(std::vector<BodyPair> held) {
   held_ = std::move(held);
   skin_position_.clear();  // look for pairs again
+}
+
+// What has another limit than before is looked at anew.
+void ContactSet::limit_damping(std::vector<PairDamping> tied) {
+  if (tied == tied_) return;
+  const std::vector<PairDamping> before = std::exchange(tied_, std::move(tied));
+  for (std::size_t k = 0; k < pairs_.size(); ++k) {
+    if (damping_of(before, pairs_[k].bodies) == damping_of(tied_, pairs_[k].bodies)) continue;
+    watches_[k / PairWatch::size].angle[k % PairWatch::size] = PairWatch::never;
+  }
 }
 
 bool ContactSet::moved_beyond_skin(const Model& model, std::span<const Frame> frames) const {
@@ -243,7 +204,7 @@ void ContactSet::enter(const Model& model, std::span<const Frame> frames, Contac
   }
   pair.active = true;
   ++entered_;
-  write_points(model, frames, pair, {}, {});
+  write_points(model, frames, law_of(pair), points, pair);
 }
 
 void ContactSet::leave(ContactPair& pair) {
@@ -252,151 +213,23 @@ void ContactSet::leave(ContactPair& pair) {
   free_slots_.push_back(pair.first_point);
 }
 
-std::array<ContactSet::Memory, 2> ContactSet::memory_of(const ContactPoints& points, std::size_t first) {
-  const auto one = [&](std::size_t i) {
-    return Memory{points.history(i), points.past(i),
-                  points.rocking.empty() ? RockingDashpot{} : points.rocking[i]};
-  };
-  return {one(first), one(first + 1)};
-}
-
-PointStiffness ContactSet::law_of(const Model& model, std::span<const Frame> frames, const ContactPair& pair,
-                                  const Feature& feature, double length) const {
-  const auto [a, b] = pair.bodies;
-  if (!rigid_) return point_stiffness(model, frames, pair.manifold, feature, length, a, b);
-  PointStiffness rigid;
-  rigid.friction = model.rule(a, b).friction_coefficient;
-  return rigid;
-}
-
 void ContactSet::make_rigid(const Model& model, std::span<const Frame> frames, bool rigid) {
   if (rigid == rigid_) return;
   rigid_ = rigid;
   for (ContactPair& pair : pairs_)
-    if (pair.active) write_points(model, frames, pair, {}, {});
+    if (pair.active) write_points(model, frames, law_of(pair), points, pair);
 }
 
-void ContactSet::write_points(const Model& model, std::span<const Frame> frames, ContactPair& pair,
-                              const Manifold& old, std::span<const Memory> kept) {
-  const auto [a, b] = pair.bodies;
-  const double width = std::min(model.minimum_width[a], model.minimum_width[b]);
-  for (Index k = 0; k < 2; ++k) {
-    const std::size_t i = pair.first_point + k;
-    if (k >= pair.manifold.count) {
-      points.clear(i, pair.bodies);
-      continue;
-    }
-    Feature feature = pair.manifold.features[k];
-    if (feature.kind == FeatureKind::corner_edge) feature.radius -= pair.setback;
-    const BearingLength length = rigid_ ? BearingLength{} : bearing_of(model, frames, pair.manifold, feature);
-    const PointStiffness law = law_of(model, frames, pair, feature, 1.0 / length.per_reference);
-    points.set(i, pair.bodies, feature, length, hardened(law, pair.hardening), width);
-    points.start(i, frames);
-    for (Index l = 0; l < old.count; ++l) {
-      if (old.features[l].identity != feature.identity) continue;
-      points.set_history(i, kept[l].history), points.set_past(i, kept[l].past);
-      if (!points.rocking.empty()) points.rocking[i] = kept[l].rocking;
-    }
-  }
-  if (!points.rocking.empty()) write_rocking(model, frames, pair);
+PairLaw ContactSet::law_of(const ContactPair& pair) const {
+  return {rigid_, damping_of(tied_, pair.bodies)};
 }
 
-// What a pair that touches has stored stays when other features take its contact over: a corner in a face
-// bears on as it did, though now another of its own faces turns to it.
-void ContactSet::keep_energy(std::span<const Frame> frames, ContactPair& pair, double stored) {
-  constexpr double rounding = 1e-9;
-  const double now = energy_of(points, pair.first_point, frames);
-  if (stored == 0.0 || now == 0.0 || std::abs(stored / now - 1.0) < rounding) return;
-  harden(pair, pair.hardening * stored / now);
-}
-
-void ContactSet::harden(ContactPair& pair, double hardening) {
-  constexpr double most = 1e4;  // a sliver of 1:100 that goes over from its end to its side
-  hardening = std::clamp(hardening, 1.0 / most, most);
-  for (const Index k : {0, 1}) {
-    const std::size_t i = pair.first_point + k;
-    points.set_stiffness(i, hardened(points.stiffness(i), hardening / pair.hardening));
-  }
-  pair.hardening = hardening;
-}
-
-// Bodies overlap by so much more before the pair bears.
-void ContactSet::set_back(ContactPair& pair, double setback) {
-  for (const std::size_t i : {pair.first_point + 0u, pair.first_point + 1u})
-    points.set_back(i, setback - pair.setback);
-  pair.setback = setback;
-}
-
-// Makes the springs of the pairs store that energy. Where it is less than their overlap asks for, the
-// surfaces are set back, not the springs softened: a corner beyond the bond's points may overlap where they
-// were relaxed, and must bear the next load as any other.
-void ContactSet::take_over(std::span<const Frame> frames, std::span<ContactPair* const> pairs,
-                           double energy) {
-  const auto stored = [&] {
-    double sum = 0.0;
-    for (const ContactPair* pair : pairs) sum += energy_of(points, pair->first_point, frames);
-    return sum;
-  };
-  const double now = stored();
-  if (energy >= now) {
-    for (ContactPair* pair : pairs) harden(*pair, pair->hardening * energy / now);
-    return;
-  }
-  double least = 0.0, most = 0.0;
-  for (const ContactPair* pair : pairs)
-    for (const std::size_t i : {pair->first_point + 0u, pair->first_point + 1u})
-      most = std::max(most, geometry_of(points, i, frames).overlap);
-  for (int halving = 0; halving < 60; ++halving) {
-    const double middle = 0.5 * (least + most);
-    for (ContactPair* pair : pairs) set_back(*pair, middle);
-    (stored() > energy ? least : most) = middle;
-  }
-}
-
-// The contacts of two bodies whose face was joined until now: closed where they overlap, with relaxed
-// friction springs.
-void ContactSet::hand_over(std::span<const Frame> frames, const Heir& heir) {
+// The contacts of two bodies whose face was joined until now.
+void ContactSet::hand_over_to(const Heir& heir, std::span<const Frame> frames) {
   std::vector<ContactPair*> pairs;
   for (ContactPair& pair : pairs_)
     if (pair.active && pair.bodies == heir.bodies) pairs.push_back(&pair);
-  double now = 0.0, taken = 0.0;
-  for (const ContactPair* pair : pairs) now += energy_of(points, pair->first_point, frames);
-  if (now == 0.0) return;
-  take_over(frames, pairs, heir.energy);
-  for (const ContactPair* pair : pairs) {
-    for (const std::size_t i : {pair->first_point + 0u, pair->first_point + 1u}) {
-      const PointGeometry g = geometry_of(points, i, frames);
-      if (g.overlap > 0.0)
-        points.set_history(i, history_with_slip(points, i, frames, points.history(i), 0.0));
-    }
-    taken += energy_of(points, pair->first_point, frames);
-  }
-  inherited_ += std::min(taken, heir.energy);
-}
-
-// A face with two corners can rock; its law is found anew when the length of contact has changed.
-void ContactSet::write_rocking(const Model& model, std::span<const Frame> frames, ContactPair& pair) {
-  constexpr double same_length = 1e-3;
-  const Manifold& m = pair.manifold;
-  const auto ratio = model.rule(pair.bodies.a, pair.bodies.b).rocking_restitution;
-  const bool rocks = ratio && m.count == 2 && m.length > 0.0;
-  if (rocks && std::abs(m.length - pair.rocking_length) > same_length * m.length) {
-    const PointStiffness law = points.stiffness(pair.first_point);
-    pair.rocking = law_for_ratio(rocking_impact(model, m, pair.bodies, law), *ratio);
-    pair.rocking_length = m.length;
-  }
-  for (const Index k : {0, 1}) {
-    const std::size_t i = pair.first_point + k;
-    RockingDashpot& dashpot = points.rocking[i];
-    if (!dashpot.acts())
-      dashpot.past_angle = frames[points.corner_body[i]].angle - frames[points.edge_body[i]].angle;
-    const PointStiffness law = points.stiffness(i);
-    dashpot.couple = rocks ? pair.rocking.couple : 0.0;
-    dashpot.inset =
-        rocks ? inward_turn(points, i, pair.first_point + 1 - k, frames) * pair.rocking.inset : 0.0;
-    dashpot.length = m.length;
-    if (rocks) dashpot.rate = law.normal / law.normal_damping, dashpot.damping = law.normal_damping;
-  }
+  inherited_ += hand_over(points, frames, pairs, heir.energy);
 }
 
 // Returns whether any of its points was added, removed or replaced.
@@ -405,37 +238,10 @@ bool ContactSet::refresh(const Model& model, std::span<const Frame> frames, Cont
   pair.manifold = find_manifold(model, frames, pair.colliders.a, pair.colliders.b, pair.margin, old);
   pair.gap = gap_of(pair.manifold, frames);
   const bool touches = pair.manifold.count > 0;
-  if (touches && pair.active) return renew(model, frames, pair, old);
+  if (touches && pair.active) return renew_points(model, frames, law_of(pair), points, pair, old);
   if (touches == pair.active) return false;
   pair.hardening = 1.0, pair.setback = 0.0;
   touches ? enter(model, frames, pair) : leave(pair);
-  return true;
-}
-
-// The points of a pair that stays, after another manifold was found.
-bool ContactSet::renew(const Model& model, std::span<const Frame> frames, ContactPair& pair,
-                       const Manifold& old) {
-  // End k of the contact may have passed from one corner to another at the same place.
-  const std::array<Memory, 2> kept = memory_of(points, pair.first_point);
-  std::array<double, 2> slip{};
-  for (Index k = 0; k < old.count; ++k) slip[k] = geometry_of(points, pair.first_point + k, frames).slip;
-  const auto place = [&](Index k) { return place_of(points, pair.first_point + k, frames); };
-  const std::array<Vec2, 2> old_place{place(0), place(old.count > 1 ? 1 : 0)};
-  const double stored = energy_of(points, pair.first_point, frames);
-  if (stored == 0.0) pair.hardening = 1.0;
-  if (pair.setback > 0.0 && pair.gap > 0.0) pair.setback = 0.0;
-  write_points(model, frames, pair, old, kept);
-  keep_energy(frames, pair, stored);
-  if (same_features(old, pair.manifold)) return false;
-  for (Index k = 0; k < std::min(old.count, pair.manifold.count); ++k) {
-    const auto identity = pair.manifold.features[k].identity;
-    if (identity == old.features[0].identity || (old.count > 1 && identity == old.features[1].identity))
-      continue;
-    if (kept[k].history.open || norm(place(k) - old_place[k]) > 2.0 * pair.margin) continue;
-    // Corner and edge may have changed sides: both the tangent and the motion turn round, so slip stays.
-    const std::size_t i = pair.first_point + k;
-    points.set_history(i, history_with_slip(points, i, frames, kept[k].history, slip[k]));
-  }
   return true;
 }
 
@@ -508,7 +314,8 @@ void ContactSet::look_at(const Model& model, std::span<const Frame> frames, std:
   const PairWatch& w = watches_[k / PairWatch::size];
   const Frame &large = frames[w.large[k % PairWatch::size]], &small = frames[w.small[k % PairWatch::size]];
   pair.seen_position = large.to_local(small.position()), pair.seen_angle = small.angle - large.angle;
-  if (refresh(model, frames, pair)) disturb(pair.bodies);
+  const bool other_law = pair.active && w.angle[k % PairWatch::size] == PairWatch::never;
+  if (refresh(model, frames, pair) || other_law) disturb(pair.bodies);
   watch(model, k);
 }
 
@@ -522,7 +329,7 @@ bool ContactSet::update(const Model& model, std::span<const Frame> frames) {
     compact_slots(frames);
     index_bodies(model.size());
   }
-  for (const Heir& heir : heirs_) hand_over(frames, heir);
+  for (const Heir& heir : heirs_) hand_over_to(heir, frames);
   heirs_.clear();
   put_blocks_to_sleep(frames);
   return changed;

@@ -2,35 +2,17 @@
 //
 // A pair's manifold is found again when its relative motion since the last time exceeds a third of its
 // margin (a small part of the smaller body's width): until then the same corners face the same edges
-// and the kernel follows them exactly. Friction anchors survive as long as their feature does, and
-// pass on when one end of a contact changes hands between two coinciding corners.
+// and the kernel follows them exactly.
 #pragma once
 
 #include <utility>
 
 #include "engine/collision/broad_phase.h"
-#include "engine/contact/contact_points.h"
-#include "engine/contact/pair_watch.h"
+#include "engine/contact/contact_pair.h"
 
 namespace dougong::engine {
 
-struct ContactPair {
-  BodyPair colliders;
-  BodyPair bodies;      // their owners, a < b
-  double margin = 0.0;  // m
-  Manifold manifold;
-  double gap = 0.0;        // m, when the manifold was found
-  Index first_point = 0;   // of two, if active
-  bool active = false;     // within the margin
-  double hardening = 1.0;  // of its springs, so that they store what those before them did (keep_energy)
-  double setback = 0.0;    // m, of its surfaces: overlap that was there when a bond let go (hand_over)
-  // The couple of the pair's rocking restitution, and the length of contact it was found for.
-  RockingLaw rocking;
-  double rocking_length = -1.0;  // m
-  // Pose of the smaller body in the larger one's frame when the manifold was found.
-  Vec2 seen_position;
-  double seen_angle = PairWatch::never;
-};
+struct PairLaw;
 
 class ContactSet {
  public:
@@ -39,6 +21,8 @@ class ContactSet {
 
   /// Sorted pairs of bodies that something else holds: they do not touch. The next update sees it.
   void keep_apart(std::vector<BodyPair> held);
+  /// Sorted pairs of bodies whose contacts have less damping than their materials ask for.
+  void limit_damping(std::vector<PairDamping> tied);
   /// The next update finds two bodies touching that a bond held before: their springs then store that energy
   /// (J), as long as they stay closed.
   void inherit(BodyPair bodies, double energy) { heirs_.push_back({bodies, energy}); }
@@ -73,14 +57,6 @@ class ContactSet {
   const std::vector<ContactPair>& pairs() const { return pairs_; }
 
  private:
-  // What a point keeps while its feature stays.
-  struct Memory {
-    PointHistory history;
-    PointPast past;
-    RockingDashpot rocking;
-  };
-  static std::array<Memory, 2> memory_of(const ContactPoints& points, std::size_t first);
-
   void rebuild_pairs(const Model& model, std::span<const Frame> frames);
   void note_skin_poses(const Model& model, std::span<const Frame> frames);
   bool moved_beyond_skin(const Model& model, std::span<const Frame> frames) const;
@@ -89,24 +65,15 @@ class ContactSet {
   void refresh_moved(const Model& model, std::span<const Frame> frames);
   void look_at(const Model& model, std::span<const Frame> frames, std::size_t k);
   bool refresh(const Model& model, std::span<const Frame> frames, ContactPair& pair);
-  bool renew(const Model& model, std::span<const Frame> frames, ContactPair& pair, const Manifold& old);
   void enter(const Model& model, std::span<const Frame> frames, ContactPair& pair);
   void leave(ContactPair& pair);
   void disturb(BodyPair bodies) { disturbed_.push_back(bodies.a), disturbed_.push_back(bodies.b); }
-  PointStiffness law_of(const Model& model, std::span<const Frame> frames, const ContactPair& pair,
-                        const Feature& feature, double length) const;
-  void write_points(const Model& model, std::span<const Frame> frames, ContactPair& pair, const Manifold& old,
-                    std::span<const Memory> kept);
-  void keep_energy(std::span<const Frame> frames, ContactPair& pair, double stored);
-  void harden(ContactPair& pair, double hardening);
-  void set_back(ContactPair& pair, double setback);
-  void take_over(std::span<const Frame> frames, std::span<ContactPair* const> pairs, double energy);
+  PairLaw law_of(const ContactPair& pair) const;
   struct Heir {
     BodyPair bodies;
     double energy = 0.0;  // J
   };
-  void hand_over(std::span<const Frame> frames, const Heir& heir);
-  void write_rocking(const Model& model, std::span<const Frame> frames, ContactPair& pair);
+  void hand_over_to(const Heir& heir, std::span<const Frame> frames);
   void compact_slots(std::span<const Frame> frames);
   void index_bodies(std::size_t bodies);
   void gather_bodies(std::size_t begin, std::size_t end, std::span<const PairLoad> loads,
@@ -125,6 +92,7 @@ class ContactSet {
   std::size_t entered_ = 0;         // pairs, since the slots were compacted
   std::vector<Index> disturbed_;
   std::vector<BodyPair> held_;
+  std::vector<PairDamping> tied_;
   std::vector<Heir> heirs_;
   double inherited_ = 0.0;  // J
   std::vector<Vec2> skin_position_;

@@ -90,7 +90,9 @@ BearingLength bearing_of(const Model& model, std::span<const Frame> frames, cons
 }
 
 PointStiffness point_stiffness(const Model& model, std::span<const Frame> frames, const Manifold& manifold,
-                               const Feature& feature, double length, Index a, Index b) {
+                               const Feature& feature, double length, BodyPair bodies,
+                               std::optional<double> most_damping) {
+  const auto [a, b] = bodies;
   const Placement p = placement_of(frames, feature);
   const Index corner = feature.corner_body, edge = feature.edge_body;
   const PairRule& rule = model.rule(a, b);
@@ -99,11 +101,12 @@ PointStiffness point_stiffness(const Model& model, std::span<const Frame> frames
   s.tangential = s.normal * tangential_ratio(model, a, b);
   const double mn = felt_mass(model, corner, edge, p.arm_corner, p.arm_edge, p.normal);
   const double mt = felt_mass(model, corner, edge, p.arm_corner, p.arm_edge, turned(p.normal));
-  s.normal_damping = 2.0 * rule.damping_ratio * std::sqrt(s.normal * mn);
-  s.tangential_damping = 2.0 * rule.damping_ratio * std::sqrt(s.tangential * mt);
+  const double ratio = std::min(rule.damping_ratio, most_damping.value_or(rule.damping_ratio));
+  s.normal_damping = 2.0 * ratio * std::sqrt(s.normal * mn);
+  s.tangential_damping = 2.0 * ratio * std::sqrt(s.tangential * mt);
   s.friction = rule.friction_coefficient;
-  const double at_rest = std::min(rule.damping_ratio, model.contact.resting_damping_ratio);
-  s.resting = rule.damping_ratio > 0.0 ? at_rest / rule.damping_ratio : 1.0;
+  const double at_rest = std::min(ratio, model.contact.resting_damping_ratio);
+  s.resting = ratio > 0.0 ? at_rest / ratio : 1.0;
   return s;
 }
 

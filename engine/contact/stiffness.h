@@ -9,10 +9,14 @@
 //   section 5.6): kn = pi/4 E* t, 1/E* = (1-nu_a^2)/E_a + (1-nu_b^2)/E_b, rigid terrain left out.
 // Damping: cn = 2 xi sqrt(kn m_n), m_n = 1/(1/m_a + 1/m_b + r_a^2/I_a + r_b^2/I_b) the mass that the
 //   point feels along its normal; ct likewise. Of a face at rest, xi is at most resting_damping_ratio.
+// Of a pair that a bond ties yet, though its face has a crack, xi is at most the bond's (theory/bonds.md).
 // Two materials: the smaller friction coefficient and the mean damping ratio, unless the scene gives the pair
 // its own.
 #pragma once
 
+#include <optional>
+
+#include "engine/collision/broad_phase.h"
 #include "engine/collision/manifold.h"
 #include "engine/contact/bearing_length.h"
 #include "engine/contact/law.h"
@@ -23,8 +27,10 @@ namespace dougong::engine {
 BearingLength bearing_of(const Model& model, std::span<const Frame> frames, const Manifold& manifold,
                          const Feature& feature);
 
-/// For a bearing length (m), which round contacts have none of.
+/// For a bearing length (m), which round contacts have none of. `most_damping`: of the damping ratio, where
+/// something else damps the pair.
 PointStiffness point_stiffness(const Model& model, std::span<const Frame> frames, const Manifold& manifold,
-                               const Feature& feature, double length, Index a, Index b);
+                               const Feature& feature, double length, BodyPair bodies,
+                               std::optional<double> most_damping = {});
 
 }  // namespace dougong::engine

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/contact/stiffness.h"
 #include "engine/modes.h"
 #include "engine/settle.h"
 #include "tests/engine/reference.h"
@@ -280,6 +281,63 @@ TEST(Bond, ThatCracksTurnsAboutTheEdge) {
   };
   EXPECT_FALSE(falls(0.162));
   EXPECT_TRUE(falls(0.171));
+}
+
+// Of the points that bear, by what the bodies' material would give them.
+double share_of_damping(const Running& r) {
+  const ContactPoints& points = r.state.contacts.points;
+  double least = std::numeric_limits<double>::infinity();
+  for (const ContactPair& pair : r.state.contacts.pairs()) {
+    if (!pair.active) continue;
+    const auto frames = frames_of(r.model, r.state);
+    const Index i = pair.first_point;
+    const PointStiffness material = point_stiffness(r.model, frames, pair.manifold, pair.manifold.features[0],
+                                                    pair.manifold.length, pair.bodies);
+    const PointStiffness law = points.stiffness(i);
+    least = std::min(least,
+                     law.normal_damping / material.normal_damping * std::sqrt(material.normal / law.normal));
+  }
+  return least;
+}
+
+TEST(Bond, ThatYieldedHasItsCrackDampedAsItself) {
+  Scene s = hanging(1e9, 35.0);
+  s.bonds[0].tensile_strength = std::numeric_limits<double>::infinity();
+  s.bonds[0].yield_strength = 3e4;
+  s.bonds[0].damping_ratio = 0.03;
+  Running r(s);
+  const double sound = plan_steps(r.model, r.state, run_for(1.0)).bound;
+  r.run(run_for(0.02));
+  r.model.gravity.y = -9.81;
+  r.run(run_for(1.0));
+  EXPECT_GT(r.state.bonds.history[0].plastic, 0.0);
+  EXPECT_NEAR(share_of_damping(r), 0.03, 1e-6);
+  EXPECT_GT(plan_steps(r.model, r.state, run_for(1.0)).bound, 0.5 * sound);
+}
+
+TEST(Bond, ThatBrokeAfterwardsLeavesItsCrackToTheMaterials) {
+  Scene s = hanging(1e5, 0.0, 500.0);
+  s.bonds[0].damping_ratio = 0.03;
+  s.bodies[0].velocity.y = 0.2;  // 48 J, of 500 that break it
+  Running r(s);
+  r.run(run_for(0.01));
+  ASSERT_EQ(r.state.bonds.broken, 0u);
+  EXPECT_NEAR(share_of_damping(r), 0.03, 1e-6);
+  r.model.gravity.y = 60.0;
+  r.run(run_for(0.1));
+  ASSERT_EQ(r.state.bonds.broken, 2u);
+  r.model.gravity.y = -9.81;
+  r.run(run_for(1.0));
+  EXPECT_NEAR(share_of_damping(r), 1.0, 1e-6);
+}
+
+TEST(Bond, OnAPartOfTheFaceLeavesTheRestDampedByTheMaterials) {
+  Scene s = hanging(1e6, -9.81);
+  s.bonds[0].start = {0.3, 0.0}, s.bonds[0].end = {0.4, 0.0};
+  s.bonds[0].yield_strength = 1e4;
+  Running r(s);
+  r.run(run_for(0.1));
+  EXPECT_NEAR(share_of_damping(r), 1.0, 1e-6);
 }
 
 TEST(Bond, OnAPartOfTheFaceLeavesTheRestInContact) {
