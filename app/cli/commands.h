@@ -50,6 +50,21 @@ struct CompareOptions {
 /// Variants of a building on the same motions, paired.
 int compare_command(const CompareOptions& options);
 
+struct StaticsOptions {
+  bool pushover = false;  // else a tilt
+  std::string scenario;   // path; empty: defaults and flags
+  std::string layout;
+  std::vector<std::string> set;  // key=value
+  std::string towards = "both";  // left, right, both
+  std::string pattern = "mass";  // of a pushover: mass, triangular, first-mode
+  std::string precision, step, largest, hold, target;
+  std::string out;  // folder; empty: LAYOUT-tilt or LAYOUT-pushover
+  bool force = false;
+  std::string command;  // as typed
+};
+/// How much of its weight a building bears sideways, and how it would go.
+int statics_command(const StaticsOptions& options);
+
 int layouts_command();
 
 struct LayoutOptions {
