@@ -27,13 +27,18 @@ class Look {
     for (std::size_t i = 0; i < model.bond_points.size(); ++i) add_bond(model.bond_points[i]);
   }
 
-  Mechanism found(double share) const {
+  Mechanism found(const MechanismOptions& options) const {
     Mechanism mechanism;
     if (measure_ <= 0.0) return mechanism;
     for (std::size_t i = 0; i < motions_.size(); ++i)
-      if (way(i) >= share * measure_) mechanism.moving.push_back(i);
+      if (way(i) >= options.moving * measure_) mechanism.moving.push_back(i);
     std::ranges::stable_sort(mechanism.moving, [&](auto a, auto b) { return way(a) > way(b); });
-    for (const auto& [pair, points] : joints_) judge(pair, points, share * measure_, mechanism.joints);
+    for (const auto& [pair, points] : joints_) mechanism.joints.push_back(judged(pair, points));
+    double greatest = 0.0;
+    for (const MovingJoint& joint : mechanism.joints) greatest = std::max(greatest, size(joint));
+    // What joins two blocks that stay is closed, though the elastic blocks give way a little everywhere.
+    const double least = std::max(options.acting * greatest, 1e-3 * measure_);
+    std::erase_if(mechanism.joints, [&](const MovingJoint& joint) { return size(joint) < least; });
     return mechanism;
   }
 
@@ -65,20 +70,20 @@ class Look {
     add(point.a, point.b, g.arm_a, g.arm_b, g.normal);
   }
 
-  void judge(const Pair& pair, const std::vector<JointPoint>& points, double seen,
-             std::vector<MovingJoint>& joints) const {
+  static double size(const MovingJoint& joint) { return std::max(joint.opening, std::abs(joint.slip)); }
+
+  MovingJoint judged(const Pair& pair, const std::vector<JointPoint>& points) const {
     const auto [least, most] = std::ranges::minmax_element(points, {}, &JointPoint::opening);
     MovingJoint joint{JointAction::hinge, pair.first, pair.second, least->place, {},
                       most->opening,      least->slip};
     joint.tangent = engine::turned(least->normal);
-    if (std::max(joint.opening, std::abs(joint.slip)) < seen) return;
-    if (std::abs(joint.slip) >= std::max(seen, 0.5 * joint.opening))
+    if (std::abs(joint.slip) >= 0.5 * joint.opening)
       joint.action = JointAction::sliding;
     else if (least->opening > 0.5 * joint.opening)
       joint.action = JointAction::parting;
     if (joint.action != JointAction::hinge) joint.place = middle(points);
     joint.place += model_.origin;
-    joints.push_back(joint);
+    return joint;
   }
   static Vec2 middle(const std::vector<JointPoint>& points) {
     Vec2 sum;
@@ -110,8 +115,8 @@ std::string to_string(JointAction action) {
 }
 
 Mechanism mechanism_of(const engine::Model& model, const engine::State& standing,
-                       const std::vector<BlockMotion>& motions, double share) {
-  return Look(model, standing, motions).found(share);
+                       const std::vector<BlockMotion>& motions, const MechanismOptions& options) {
+  return Look(model, standing, motions).found(options);
 }
 
 }  // namespace dougong::structures

@@ -4,8 +4,7 @@
 // stood. At every point where two blocks touch or are bonded there, the motion opens the joint and slips it
 // by
 //   o = n . d,  s = t . d,   d = (u_b + phi_b x r_b) - (u_a + phi_a x r_a)
-// u translation, phi turn, r from the centroid to the point. Over the points of a pair, with the greatest
-// block translation as the measure:
+// u translation, phi turn, r from the centroid to the point. Over the points of a pair:
 //   hinge    one end opens, the other stays
 //   sliding  it slips where it stays closed
 //   parting  all of it opens
@@ -32,9 +31,13 @@ struct Mechanism {
   std::vector<MovingJoint> joints;
 };
 
-/// A block moves that is translated by at least `share` of what the one does that moves most; a joint acts
-/// whose opening or slip is at least that. `standing` is a state of the model.
+struct MechanismOptions {
+  double moving = 0.1;  // of the greatest translation of a block: less is at rest
+  double acting = 0.2;  // of the greatest opening or slip of a joint: less is closed
+};
+
+/// `standing` is a state of the model.
 Mechanism mechanism_of(const engine::Model& model, const engine::State& standing,
-                       const std::vector<BlockMotion>& motions, double share = 0.1);
+                       const std::vector<BlockMotion>& motions, const MechanismOptions& options = {});
 
 }  // namespace dougong::structures

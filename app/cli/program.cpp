@@ -149,8 +149,8 @@ void add_statics(CLI::App& app, Request& r) {
   });
 }
 
-void add_layout(CLI::App& parent, Request& r, const char* name, const char* meaning,
-                int (*command)(const LayoutOptions&), const std::string& example) {
+CLI::App* add_layout(CLI::App& parent, Request& r, const char* name, const char* meaning,
+                     int (*command)(const LayoutOptions&), const std::string& example) {
   CLI::App* sub = parent.add_subcommand(name, meaning);
   sub->add_option("name", r.layout.name, "Name of the layout, or a scene file that lists its storeys")
       ->required();
@@ -160,6 +160,7 @@ void add_layout(CLI::App& parent, Request& r, const char* name, const char* mean
   sub->add_flag("--force", r.layout.force, "Write over an existing file");
   sub->footer("Example: " + example);
   sub->callback([&r, command] { r.command = [&r, command] { return command(r.layout); }; });
+  return sub;
 }
 
 void add_layout_import(CLI::App& parent, Request& r) {
@@ -187,6 +188,10 @@ void add_layouts(CLI::App& app, Request& r) {
              "dougong layout draw concrete-frame infill=above-first --out frame.svg");
   add_layout(*layout, r, "check", "The model check, settling under gravity, and the period",
              layout_check_command, "dougong layout check masonry-house ties=every-floor");
+  add_layout(*layout, r, "modes", "Periods, effective masses and shapes of small vibrations",
+             layout_modes_command, "dougong layout modes concrete-frame storeys=5 --out out/modes")
+      ->add_option("--count", r.layout.count, "Modes, from the lowest (6)")
+      ->check(CLI::Range(1, 40));
   add_layout(*layout, r, "export", "Write it as a scene file, a drawing or a DXF file", layout_export_command,
              "dougong layout export pagoda storeys=7 --out pagoda.dxf");
   add_layout_import(*layout, r);
@@ -474,7 +479,7 @@ int run_program(int argc, const char* const* argv) {
       "dougong"};
   Request request;
   request.run.command = request.compare.command = request.tilt.command = request.pushover.command =
-      request.scene.command = request.space.command = command_text(argc, argv);
+      request.layout.command = request.scene.command = request.space.command = command_text(argc, argv);
   describe_program(app, request);
   try {
     app.parse(argc, argv);

@@ -98,13 +98,19 @@ Colour action_colour(JointAction action) {
   return action == JointAction::hinge ? ink::lost : action == JointAction::sliding ? category(1) : ink::quiet;
 }
 
-DrawingMark mark_of(const structures::MovingJoint& joint, const std::vector<engine::Vec2>& shift) {
+/// Between where the two bodies have taken the place of the joint: magnified turns draw them apart.
+DrawingMark mark_of(const StaticResult& r, const structures::MovingJoint& joint,
+                    const std::vector<Pose>& poses) {
   const MarkShape shape = joint.action == JointAction::hinge     ? MarkShape::dot
                           : joint.action == JointAction::sliding ? MarkShape::arrows
                                                                  : MarkShape::cross;
-  const auto moved = [&](std::size_t body) { return body < shift.size() ? shift[body] : engine::Vec2{}; };
-  return {shape, joint.place + 0.5 * (moved(joint.a) + moved(joint.b)), joint.tangent,
-          action_colour(joint.action)};
+  const auto moved = [&](std::size_t body) {
+    if (body >= poses.size()) return joint.place;
+    const Pose still = described_pose(r.model.blocks[body]);
+    return poses[body].position +
+           engine::rotated(joint.place - still.position, poses[body].angle - still.angle);
+  };
+  return {shape, 0.5 * (moved(joint.a) + moved(joint.b)), joint.tangent, action_colour(joint.action)};
 }
 
 }  // namespace
@@ -174,10 +180,10 @@ Figure mechanism_figure(const StaticResult& r, const SideResult& s) {
     drawing.fill[block] = mixed(ink::white, category(colour_of(s.side)), 0.35);
   for (std::size_t i = 0; i < r.model.blocks.size(); ++i) {
     const Pose pose = described_pose(r.model.blocks[i]);
-    motions[i] = factor * motions[i];
-    drawing.moved.push_back({pose.position + motions[i], pose.angle + factor * s.found.mechanism[i].turn});
+    drawing.moved.push_back(
+        {pose.position + factor * motions[i], pose.angle + factor * s.found.mechanism[i].turn});
   }
-  for (const auto& joint : s.mechanism.joints) drawing.marks.push_back(mark_of(joint, motions));
+  for (const auto& joint : s.mechanism.joints) drawing.marks.push_back(mark_of(r, joint, drawing.moved));
   drawing.legend = {
       fmt::format(
           "Motion of the trial that fell × {}; pale: where the blocks stood; coloured: blocks that move.",
