@@ -31,6 +31,7 @@ struct Body {
   double charge = 0.0;            // C
   double linear_drag = 0.0;       // N s/m, force -c v at the centroid
   double quadratic_drag = 0.0;    // N s2/m2, force -c |v| v
+  Vec2 applied_force;             // N, at the centroid, times Fields::applied_factor
   bool collides = true;           // false: a point mass that fields move and nothing touches
 };
 
@@ -61,8 +62,10 @@ struct Fields {
   double softening = 0.0;               // m
   /// Opening angle of the Barnes-Hut tree (-): a cell of width w at distance d counts as one when w < angle
   /// d.
-  double opening_angle = 0.0;  // 0: direct sum
-  Vec2 electric_field;         // V/m, uniform
+  double opening_angle = 0.0;   // 0: direct sum
+  Vec2 electric_field;          // V/m, uniform
+  double applied_factor = 1.0;  // -, of the bodies' applied forces (fields/applied_force.h)
+  double applied_relief = 0.0;  // 1/J, that the factor falls by as they do work; 0: dead loads
 };
 
 /// What two materials do where they touch, instead of the rule for any two: the smaller friction coefficient,

@@ -86,8 +86,8 @@ std::vector<BlockMotion> motion_between(const engine::State& before, const engin
 /// The bracket as it is, and what the trial at its upper end started from.
 class Search {
  public:
-  Search(const engine::Scene& scene, const TiltOptions& options)
-      : scene_(scene), options_(options), step_(options.first_increment) {
+  Search(const engine::Scene& scene, const LoadedScene& loaded, const TiltOptions& options)
+      : loaded_(loaded), options_(options), step_(options.first_increment) {
     const engine::Model model = engine::compile(scene);
     found_.standing = engine::initial_state(model, scene);
     found_.falls = infinity;
@@ -98,7 +98,8 @@ class Search {
       found_.falls = 0.0;
       return found_;
     }
-    while (!finished()) attempt(next());
+    while (!finished() && !ended_) attempt(next());
+    if (ended_) found_.end = TrialResult::undecided;
     return found_;
   }
 
@@ -115,9 +116,11 @@ class Search {
 
   bool attempt(double multiplier) {
     engine::State state = found_.standing;
-    Trial trial = hold(tilted(scene_, multiplier, options_.towards), state, options_.trial);
+    Trial trial = hold(loaded_(multiplier), state, options_.trial);
     trial.multiplier = multiplier;
+    trial.broken_points = state.bonds.broken;
     found_.trials.push_back(trial);
+    ended_ = options_.go_on && !options_.go_on(trial);
     const bool stands = trial.result == TrialResult::stands;
     stands ? stood(multiplier, std::move(state)) : fell(trial, state);
     return stands;
@@ -139,8 +142,9 @@ class Search {
     fell_from_ = found_.stands;
   }
 
-  const engine::Scene& scene_;
+  const LoadedScene& loaded_;
   const TiltOptions& options_;
+  bool ended_ = false;
   double step_;
   double fell_from_ = infinity;
   CollapseMultiplier found_;
@@ -162,10 +166,10 @@ std::string to_string(TrialResult result) {
   return "";
 }
 
-engine::Scene tilted(const engine::Scene& scene, double multiplier, Side towards) {
+engine::Scene tilted(const engine::Scene& scene, double multiplier, Direction towards) {
   engine::Scene turned = scene;
   const double cosine = 1.0 / std::sqrt(1.0 + multiplier * multiplier);
-  const double sine = (towards == Side::right ? 1.0 : -1.0) * multiplier * cosine;
+  const double sine = (towards == Direction::right ? 1.0 : -1.0) * multiplier * cosine;
   const engine::Vec2 g = scene.gravity;
   turned.gravity = {cosine * g.x - sine * g.y, sine * g.x + cosine * g.y};
   return turned;
@@ -185,10 +189,16 @@ Trial hold(const engine::Scene& scene, engine::State& state, const TrialOptions&
 }
 
 CollapseMultiplier find_collapse_multiplier(const engine::Scene& scene, const TiltOptions& options) {
+  return find_collapse_multiplier(
+      scene, [&](double multiplier) { return tilted(scene, multiplier, options.towards); }, options);
+}
+
+CollapseMultiplier find_collapse_multiplier(const engine::Scene& scene, const LoadedScene& loaded,
+                                            const TiltOptions& options) {
   check(scene, options.trial);
   require(options.first_increment > 0.0 && options.largest > 0.0, "expected positive steps of the load");
   require(options.precision > 0.0 && options.precision < 1.0, "expected a precision between 0 and 1");
-  return Search(scene, options).run();
+  return Search(scene, loaded, options).run();
 }
 
 }  // namespace dougong::structures

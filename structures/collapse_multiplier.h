@@ -19,6 +19,7 @@
 // Comput. Struct. 84 (2006) 873-887.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -46,23 +47,25 @@ struct Trial {
   double greatest_movement = 0.0;  // m
   std::string moved_most;          // name of that block
   double kinetic_energy = 0.0;     // J, at the end of the watch
+  std::size_t broken_points = 0;   // of bonds, at its end
   std::string detail;              // of a run whose numbers failed
 };
 
 /// Holds the load that the scene describes; the state ends where the trial does.
 Trial hold(const engine::Scene& scene, engine::State& state, const TrialOptions& options = {});
 
-enum class Side { left, right };
+enum class Direction { left, right };
 
 /// The scene with its gravity turned towards that side by arctan(multiplier).
-engine::Scene tilted(const engine::Scene& scene, double multiplier, Side towards = Side::right);
+engine::Scene tilted(const engine::Scene& scene, double multiplier, Direction towards = Direction::right);
 
 struct TiltOptions {
-  Side towards = Side::right;
+  Direction towards = Direction::right;
   double first_increment = 0.1;  // of lambda
   double largest = 10.0;         // lambda at which the search ends
   double precision = 0.005;      // (falls - stands) / falls
   TrialOptions trial;
+  std::function<bool(const Trial&)> go_on;  // told of every trial; false ends the search, undecided
 };
 
 struct BlockMotion {
@@ -83,5 +86,12 @@ struct CollapseMultiplier {
 /// the blocks do not stand under their weight alone. Ends at a trial whose numbers failed, with `end` saying
 /// so. Throws std::invalid_argument for a scene without gravity or without blocks, and options out of range.
 CollapseMultiplier find_collapse_multiplier(const engine::Scene& scene, const TiltOptions& options = {});
+
+/// A scene under the load of a multiplier: with the same bodies in the same order.
+using LoadedScene = std::function<engine::Scene(double multiplier)>;
+/// The same for any load that grows with its multiplier, as the forces of pushover.h; options.towards is not
+/// looked at.
+CollapseMultiplier find_collapse_multiplier(const engine::Scene& scene, const LoadedScene& loaded,
+                                            const TiltOptions& options);
 
 }  // namespace dougong::structures

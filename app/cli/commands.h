@@ -50,13 +50,31 @@ struct CompareOptions {
 /// Variants of a building on the same motions, paired.
 int compare_command(const CompareOptions& options);
 
+struct StaticsOptions {
+  bool pushover = false;  // else a tilt
+  std::string scenario;   // path; empty: defaults and flags
+  std::string layout;
+  std::vector<std::string> set;  // key=value
+  std::string towards = "both";  // left, right, both
+  std::string pattern = "mass";  // of a pushover: mass, triangular, first-mode
+  std::string precision, step, largest, hold, target;
+  std::string out;  // folder; empty: LAYOUT-tilt or LAYOUT-pushover
+  bool force = false;
+  std::string command;  // as typed
+};
+/// How much of its weight a building bears sideways, and how it would go.
+int statics_command(const StaticsOptions& options);
+
 int layouts_command();
 
 struct LayoutOptions {
   std::string name;              // of a layout, or a scene file with storeys
   std::vector<std::string> set;  // parameter=value
-  std::string out;               // PNG or SVG; of an export TOML, SVG or DXF; empty: NAME.png or NAME.toml
+  std::string out;               // PNG or SVG; of an export TOML, SVG or DXF; empty: NAME.png or NAME.toml;
+                                 // of the modes a folder; empty: NAME-modes
   bool force = false;
+  std::size_t count = 6;  // of modes
+  std::string command;    // as typed
 };
 /// What it is, its parameters, and a picture.
 int layout_show_command(const LayoutOptions& options);
@@ -64,6 +82,8 @@ int layout_show_command(const LayoutOptions& options);
 int layout_draw_command(const LayoutOptions& options);
 /// What the model check finds, whether it settles, and its period.
 int layout_check_command(const LayoutOptions& options);
+/// Periods and shapes of small vibrations; writes into a folder.
+int layout_modes_command(const LayoutOptions& options);
 int layout_export_command(const LayoutOptions& options);
 
 struct ImportOptions {

@@ -2,9 +2,12 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/model_picture.h"
+#include "app/cli/output_folder.h"
 #include "app/cli/terminal.h"
+#include "app/report/gnuplot.h"
 #include "app/report/model_dxf.h"
 #include "app/report/model_svg.h"
+#include "app/report/modes_report.h"
 #include "app/report/safe_file.h"
 #include "app/report/text.h"
 #include "app/study/building_scene.h"
@@ -139,6 +142,22 @@ int layout_check_command(const LayoutOptions& options) {
              rest.model.bond_points.size());
   if (!rest.report.settled) return exit_bad_input;
   fmt::print("period {}\n", period_of(rest));
+  return exit_survived;
+}
+
+int layout_modes_command(const LayoutOptions& options) {
+  const Scenario scenario = scenario_of(options, "layout modes");
+  require_gnuplot();
+  const OutputFolder folder(out_of(options, "-modes"), options.force);
+  const ModesResult found = modes_of(scenario, options.count);
+  fmt::print("{}: {}\n", found.model.layout, summary_line(found.model));
+  if (!found.settle.settled) throw ModelError("the building does not come to rest under its weight");
+  fmt::print("{:>5}{:>13}{:>16}{:>18}{:>10}\n", "mode", "period (s)", "frequency (Hz)", "effective mass (%)",
+             "sum (%)");
+  for (const auto& row : mode_rows(found))
+    fmt::print("{:>5}{:>13}{:>16}{:>18}{:>10}\n", row[0], row[1], row[2], row[3], row[4]);
+  const auto files = write_modes(found, options.command, folder.path());
+  fmt::print("report: {}\n", (folder.path() / files.front()).string());
   return exit_survived;
 }
 

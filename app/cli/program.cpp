@@ -30,6 +30,7 @@ std::string command_text(int argc, const char* const* argv) {
 struct Request {
   RunOptions run;
   CompareOptions compare;
+  StaticsOptions tilt, pushover;
   LayoutOptions layout;
   ImportOptions import;
   RecordInfoOptions record;
@@ -108,8 +109,48 @@ void add_compare(CLI::App& app, Request& r) {
   compare->callback([&r] { r.command = [&r] { return compare_command(r.compare); }; });
 }
 
-void add_layout(CLI::App& parent, Request& r, const char* name, const char* meaning,
-                int (*command)(const LayoutOptions&), const std::string& example) {
+void add_statics_options(CLI::App& command, StaticsOptions& o) {
+  command.add_option("scenario", o.scenario, "Scenario file (TOML); its motion is not looked at");
+  command.add_option("--layout", o.layout, "Building: a name from `dougong layouts`");
+  command.add_option("--set", o.set, "key=value of the scenario or the layout (docs/scenario.md)")
+      ->take_all()
+      ->allow_extra_args(false);
+  command.add_option("--towards", o.towards, "left, right or both")
+      ->check(CLI::IsMember({"left", "right", "both"}));
+  command.add_option("--precision", o.precision, "Width of the bracket over its upper end (0.005)");
+  command.add_option("--step", o.step, "Of the multiplier, while all trials stand (0.1)");
+  command.add_option("--largest", o.largest, "Multiplier at which the search ends (2)");
+  command.add_option("--hold", o.hold, "Watched at rest in every trial (\"5 s\")");
+  command.add_option("--out", o.out, "Folder for the results (LAYOUT-tilt, LAYOUT-pushover)");
+  command.add_flag("--force", o.force, "Write into a folder that already holds something");
+}
+
+constexpr const char* statics_codes =
+    "Exit codes: 0 bracketed, 10 it does not stand under its weight, 20 numerically invalid,\n"
+    "30 undecided or interrupted, 2 bad input.\n";
+
+void add_statics(CLI::App& app, Request& r) {
+  CLI::App* tilt = app.add_subcommand("tilt", "Tilt a building until it does not stand: collapse multiplier");
+  add_statics_options(*tilt, r.tilt);
+  tilt->footer(std::string(statics_codes) +
+               "Example: dougong tilt --layout brick-wall --towards right --out out/tilt");
+  tilt->callback([&r] { r.command = [&r] { return statics_command(r.tilt); }; });
+  CLI::App* push = app.add_subcommand(
+      "pushover", "Push a building by growing forces: collapse multiplier, capacity curve");
+  add_statics_options(*push, r.pushover);
+  push->add_option("--pattern", r.pushover.pattern, "Of the forces: mass, triangular or first-mode (mass)")
+      ->check(CLI::IsMember({"mass", "triangular", "first-mode"}));
+  push->add_option("--to", r.pushover.target, "Roof drift u/H at which the capacity curve ends (5 %)");
+  push->footer(std::string(statics_codes) +
+               "Example: dougong pushover --layout brick-wall --pattern triangular --out out/push");
+  push->callback([&r] {
+    r.pushover.pushover = true;
+    r.command = [&r] { return statics_command(r.pushover); };
+  });
+}
+
+CLI::App* add_layout(CLI::App& parent, Request& r, const char* name, const char* meaning,
+                     int (*command)(const LayoutOptions&), const std::string& example) {
   CLI::App* sub = parent.add_subcommand(name, meaning);
   sub->add_option("name", r.layout.name, "Name of the layout, or a scene file that lists its storeys")
       ->required();
@@ -119,6 +160,7 @@ void add_layout(CLI::App& parent, Request& r, const char* name, const char* mean
   sub->add_flag("--force", r.layout.force, "Write over an existing file");
   sub->footer("Example: " + example);
   sub->callback([&r, command] { r.command = [&r, command] { return command(r.layout); }; });
+  return sub;
 }
 
 void add_layout_import(CLI::App& parent, Request& r) {
@@ -146,6 +188,10 @@ void add_layouts(CLI::App& app, Request& r) {
              "dougong layout draw concrete-frame infill=above-first --out frame.svg");
   add_layout(*layout, r, "check", "The model check, settling under gravity, and the period",
              layout_check_command, "dougong layout check masonry-house ties=every-floor");
+  add_layout(*layout, r, "modes", "Periods, effective masses and shapes of small vibrations",
+             layout_modes_command, "dougong layout modes concrete-frame storeys=5 --out out/modes")
+      ->add_option("--count", r.layout.count, "Modes, from the lowest (6)")
+      ->check(CLI::Range(1, 40));
   add_layout(*layout, r, "export", "Write it as a scene file, a drawing or a DXF file", layout_export_command,
              "dougong layout export pagoda storeys=7 --out pagoda.dxf");
   add_layout_import(*layout, r);
@@ -316,6 +362,7 @@ void describe_program(CLI::App& app, Request& r) {
   app.footer("Example: dougong run --layout four-storey --record wenchuan --pga \"0.3 g\"");
   add_run(app, r);
   add_compare(app, r);
+  add_statics(app, r);
   add_layouts(app, r);
   add_records(app, r);
   add_report(app, r);
@@ -431,8 +478,8 @@ int run_program(int argc, const char* const* argv) {
       "Dougong: how far does a building of blocks drift on a real ground motion, and does it collapse?",
       "dougong"};
   Request request;
-  request.run.command = request.compare.command = request.scene.command = request.space.command =
-      command_text(argc, argv);
+  request.run.command = request.compare.command = request.tilt.command = request.pushover.command =
+      request.layout.command = request.scene.command = request.space.command = command_text(argc, argv);
   describe_program(app, request);
   try {
     app.parse(argc, argv);

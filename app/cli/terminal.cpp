@@ -109,6 +109,10 @@ void Terminal::progress(const EnsembleProgress& p) {
   show_progress(static_cast<double>(p.done), total, fmt::format("{} of {} runs", p.done, p.total));
 }
 
+void Terminal::progress(const StaticProgress& p) {
+  show_progress(p.share, 1.0, fmt::format("towards the {}, {}", to_string(p.side), p.doing));
+}
+
 void Terminal::show_progress(double time, double end_time, const std::string& text) {
   const double fraction = end_time > 0.0 ? time / end_time : 1.0;
   if (interactive_) return update_line(fraction, text);

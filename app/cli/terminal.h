@@ -8,6 +8,7 @@
 #include "app/study/ensemble.h"
 #include "app/study/execute.h"
 #include "app/study/scene_run.h"
+#include "app/study/statics.h"
 #include "app/study/tradeoff/tradeoff.h"
 
 namespace dougong::app {
@@ -25,6 +26,7 @@ class Terminal {
   void progress(const SceneProgress& progress);
   void progress(const TradeoffProgress& progress);
   void progress(const EnsembleProgress& progress);
+  void progress(const StaticProgress& progress);
   void end_progress();
 
  private:

@@ -6,14 +6,6 @@
 namespace dougong::app {
 namespace {
 
-void refuse_errors(const std::vector<structures::Finding>& findings) {
-  std::string errors;
-  for (const structures::Finding& finding : findings)
-    if (finding.severity == structures::Severity::error)
-      errors += (errors.empty() ? "" : "\n") + finding.message;
-  if (!errors.empty()) throw ModelError(errors);
-}
-
 void choose_drive(Preparation& p) {
   p.accuracy = choose_integration(p.scenario.solve, p.model, p.drive);
   p.drive.output_interval = 1.0 / p.scenario.output.rate;
@@ -68,12 +60,21 @@ void make_ready(Preparation& p) {
 
 }  // namespace
 
+std::vector<structures::Finding> checked_findings(const structures::Building& building) {
+  std::vector<structures::Finding> findings = structures::check_model(building);
+  std::string errors;
+  for (const structures::Finding& finding : findings)
+    if (finding.severity == structures::Severity::error)
+      errors += (errors.empty() ? "" : "\n") + finding.message;
+  if (!errors.empty()) throw ModelError(errors);
+  return findings;
+}
+
 Preparation prepare(const Scenario& scenario, const std::filesystem::path& records_directory) {
   Preparation p;
   p.scenario = scenario;
   p.building = building_of(scenario);
-  p.findings = structures::check_model(p.building);
-  refuse_errors(p.findings);
+  p.findings = checked_findings(p.building);
   p.motion = make_motion(scenario, records_directory);
   make_ready(p);
   p.estimated_seconds = estimated_cost(p.model, p.state, p.drive, p.plan, p.duration);

@@ -43,6 +43,9 @@ Preparation prepare(const Scenario& scenario, const std::filesystem::path& recor
 /// run. What it costs is not estimated. Throws std::invalid_argument.
 Preparation prepare_member(const Preparation& described, std::size_t member);
 
+/// The warnings of the model check. Throws ModelError for its errors.
+std::vector<structures::Finding> checked_findings(const structures::Building& building);
+
 /// The building of a scenario or of a layout alone, checked; without a motion. Throws as above.
 ModelSheet model_sheet(const structures::Building& building);
 ModelSheet model_sheet(const Preparation& preparation);

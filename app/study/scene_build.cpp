@@ -279,6 +279,7 @@ class Builder {
     body.charge = choice.charge;
     body.linear_drag = choice.linear_drag;
     body.quadratic_drag = choice.quadratic_drag;
+    body.applied_force = choice.force;
     body.collides = choice.collides;
     out_.scene.bodies.push_back(std::move(body));
   }

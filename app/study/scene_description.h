@@ -56,6 +56,7 @@ struct BodyChoice {
   double thickness = 1.0;
   double charge = 0.0;
   double linear_drag = 0.0, quadratic_drag = 0.0;
+  engine::Vec2 force;  // N
   bool collides = true;
 };
 

@@ -87,6 +87,8 @@ std::vector<Key<BodyChoice>> body_keys() {
                 "c of the force c v against the velocity"),
       number<B>("quadratic_drag", AT(B, quadratic_drag), Dimension::quadratic_drag, 0, endless,
                 "c of the force c v2 against the velocity"),
+      value<B>("force", AT(B, force), Dimension::force,
+               "applied at the centroid, of unchanging size and direction"),
       {{.name = "collides", .meaning = "false: fields move it and nothing touches it", .choices = {}},
        AT(B, collides)},
   };

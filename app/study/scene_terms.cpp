@@ -1,6 +1,8 @@
 // What a scene models and what it leaves out, in words: only what the scene has is modelled.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "app/study/quantity.h"
 #include "app/study/scene_run.h"
 #include "engine/integrators/table.h"
@@ -50,6 +52,12 @@ void add_fields(const PreparedScene& p, std::vector<std::string>& terms) {
   if (f.electric_field != engine::Vec2{}) terms.emplace_back("a uniform electric field");
 }
 
+void add_applied(const engine::Scene& scene, std::vector<std::string>& terms) {
+  const auto loaded = static_cast<std::size_t>(std::ranges::count_if(
+      scene.bodies, [](const engine::Body& body) { return body.applied_force != engine::Vec2{}; }));
+  if (loaded > 0) terms.push_back(fmt::format("a constant force on {}", counted(loaded, "body", "bodies")));
+}
+
 void add_drag(const engine::Scene& scene, std::vector<std::string>& terms) {
   const std::size_t linear = bodies_with(scene, &engine::Body::linear_drag),
                     quadratic = bodies_with(scene, &engine::Body::quadratic_drag);
@@ -78,6 +86,7 @@ std::vector<std::string> modelled_terms(const PreparedScene& p) {
   if (p.scene.gravity != engine::Vec2{})
     terms.push_back(fmt::format("uniform gravity of {:.6g} m/s2", engine::norm(p.scene.gravity)));
   add_fields(p, terms);
+  add_applied(p.scene, terms);
   add_drag(p.scene, terms);
   add_connections(p.scene, terms);
   add_motions(p, terms);

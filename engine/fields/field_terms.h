@@ -4,6 +4,7 @@
 //   pair field   U = K w_i w_j / sqrt(r^2 + softening^2)   gravitation: K = -G, w = mass (gravitation.h)
 //                                                          electrostatic: K = k, w = charge (coulomb.h)
 //   uniform      F = q E                                   (uniform_electric.h)
+//   applied      F = (factor - relief W) p                 (applied_force.h)
 //   drag         F = -(c + c2 |v|) v                       (drag.h)
 //
 // All act at the centroids; none exerts a torque.
@@ -33,6 +34,13 @@ struct UniformField {
   std::vector<double> charge;  // C
 };
 
+struct AppliedForces {
+  double factor = 1.0;  // -
+  double relief = 0.0;  // 1/J
+  std::vector<std::uint32_t> bodies;
+  std::vector<Vec2> force;  // N
+};
+
 struct DragField {
   std::vector<std::uint32_t> bodies;
   std::vector<double> linear, quadratic;  // N s/m, N s2/m2
@@ -41,12 +49,15 @@ struct DragField {
 struct FieldTerms {
   std::vector<PairField> pairs;
   UniformField uniform;
+  AppliedForces applied;
   DragField drag;
-  bool empty() const { return pairs.empty() && uniform.bodies.empty() && drag.bodies.empty(); }
+  bool empty() const {
+    return pairs.empty() && uniform.bodies.empty() && applied.bodies.empty() && drag.bodies.empty();
+  }
 };
 
-/// Throws std::invalid_argument, naming the body or the constant, for charges that are not finite and for
-/// constants or drag that are negative or not finite.
+/// Throws std::invalid_argument, naming the body or the constant, for charges and applied forces that
+/// are not finite and for constants or drag that are negative or not finite.
 FieldTerms compile_fields(const Scene& scene, std::span<const double> mass);
 
 }  // namespace dougong::engine

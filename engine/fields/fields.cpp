@@ -44,6 +44,7 @@ FieldTerms compile_fields(const Scene& scene, std::span<const double> mass) {
     if (field.bodies.size() > 1) terms.pairs.push_back(std::move(field));
   }
   if (norm(scene.fields.electric_field) > 0.0) terms.uniform = uniform_electric(scene);
+  terms.applied = applied_forces(scene);
   terms.drag = drag(scene);
   return terms;
 }
@@ -52,12 +53,13 @@ double add_field_forces(const FieldTerms& fields, std::span<const Frame> frames,
                         std::span<Vec2> forces) {
   for (const PairField& pair : fields.pairs) add_pair_forces(pair, frames, scratch, forces);
   add_uniform_forces(fields.uniform, forces);
+  add_applied_forces(fields.applied, frames, forces);
   return add_drag_forces(fields.drag, frames, forces);
 }
 
 double field_energy(const FieldTerms& fields, std::span<const Frame> frames) {
   Tree scratch;
-  double energy = uniform_energy(fields.uniform, frames);
+  double energy = uniform_energy(fields.uniform, frames) + applied_energy(fields.applied, frames);
   for (const PairField& pair : fields.pairs) energy += pair_energy(pair, frames, scratch);
   return energy;
 }
@@ -67,6 +69,7 @@ FieldRates field_rates(const FieldTerms& fields, std::span<const double> mass,
   Tree scratch;
   FieldRates rates;
   for (const PairField& pair : fields.pairs) rates.stiffness += pair_stiffness(pair, mass, frames, scratch);
+  rates.stiffness += applied_stiffness(fields.applied, mass);
   rates.damping = drag_rate(fields.drag, mass, frames);
   return rates;
 }

@@ -3,6 +3,7 @@
 // Adding a field: its file, its line in FieldTerms and compile_fields, and one line in each function here.
 #pragma once
 
+#include "engine/fields/applied_force.h"
 #include "engine/fields/drag.h"
 #include "engine/fields/pair_field.h"
 #include "engine/fields/uniform_electric.h"
@@ -13,7 +14,7 @@ namespace dougong::engine {
 double add_field_forces(const FieldTerms& fields, std::span<const Frame> frames, Tree& scratch,
                         std::span<Vec2> forces);
 
-/// Potential energy of the pair fields and the uniform field (J).
+/// Potential energy of the pair fields, the uniform field and the applied forces (J).
 double field_energy(const FieldTerms& fields, std::span<const Frame> frames);
 
 /// Bounds on the eigenvalues of M^-1 K (rad2/s2) and M^-1 C (1/s) of the fields, at these places and speeds:

@@ -45,10 +45,10 @@ TEST(CollapseMultiplier, OfAStackIsItsSlenderness) {
 
 // The mechanism says how: a stack topples about the right corner of its base, or the left one.
 TEST(CollapseMultiplier, ShowsTheMechanism) {
-  for (const Side side : {Side::left, Side::right}) {
+  for (const Direction side : {Direction::left, Direction::right}) {
     TiltOptions options = within(0.02);
     options.towards = side;
-    const double sign = side == Side::right ? 1.0 : -1.0;
+    const double sign = side == Direction::right ? 1.0 : -1.0;
     const auto found = find_collapse_multiplier(scenes::column(2, 0.3, 0.5, 2.0, 1e9), options);
     ASSERT_EQ(found.mechanism.size(), 2u);
     EXPECT_LT(sign * found.mechanism[0].turn, 0.0);

@@ -1,8 +1,9 @@
-// Comparisons C01, C02 and C03 and validation cases L01 and L02: dry walls and arches against limit analysis.
+// Comparisons C01, C02 and C03 and validation cases L01 to L04: dry walls and arches against limit analysis.
 // docs/comparisons/c01-dry-walls.md, c02-arch-thickness.md, c03-tilting-arch.md.
 #include <gtest/gtest.h>
 
 #include "structures/collapse_multiplier.h"
+#include "structures/layouts/layout.h"
 #include "tests/engine/reference.h"
 #include "tests/scenes/arches.h"
 #include "tests/scenes/pattern_wall.h"
@@ -68,6 +69,54 @@ TEST(DryWall, FallsWhereLimitAnalysisSaysWithOpeningsToo) {
   check_wall(3, 0.40369, 1e8);
   // Slender, with openings: at 0.1 GPa it sways by more than counts as falling.
   check_wall(5, 0.23964, 1e9);
+}
+
+/// The bracket as `dougong tilt` finds it.
+CollapseMultiplier bracket_of(const std::string& name, const engine::Scene& scene, double reference) {
+  TiltOptions options;
+  options.trial.hold_time = hold_time;
+  const CollapseMultiplier found = find_collapse_multiplier(scene, options);
+  dougong::testing::report(name.substr(0, 3), name.substr(4) + " stands", reference, found.stands,
+                           found.stands / reference - 1.0, 0.1);
+  dougong::testing::report(name.substr(0, 3), name.substr(4) + " falls", reference, found.falls,
+                           found.falls / reference - 1.0, 0.1);
+  EXPECT_EQ(to_string(found.end), "falls") << name;
+  return found;
+}
+
+// L03: no more than 2 % above the associative multiplier, within 10 % of the estimate without dilatancy.
+void check_running_bond(double bricks, double courses, double friction, double upper, double estimate) {
+  const auto wall = build_layout("brick-wall", {{"bricks_per_course", bricks},
+                                                {"courses", courses},
+                                                {"levels", 2},
+                                                {"brick_length", 0.4},
+                                                {"brick_height", 0.2},
+                                                {"head_joint", 0.0},
+                                                {"friction", friction}});
+  const auto found = bracket_of("L03 " + text(bricks) + " x " + text(courses), wall.scene, estimate);
+  EXPECT_LE(found.stands, 1.02 * upper);
+  EXPECT_GE(found.falls, 0.9 * estimate);
+}
+TEST(RunningBond, OfTheLayoutFallsWhereLimitAnalysisSays) {
+  check_running_bond(4, 8, 0.65, 0.5664, 0.5664);
+  check_running_bond(6, 6, 0.65, 0.5976, 0.5976);
+  check_running_bond(2, 10, 0.65, 0.3711, 0.3655);
+  check_running_bond(5, 12, 0.75, 0.5543, 0.5327);
+}
+
+// L04: drums of 1.2 to 1.0 m and a capital; everything topples about the foot.
+TEST(TaperedColumn, FallsAboutItsFoot) {
+  engine::Scene scene = scenes::scene(0.8, 3e9);
+  double y = 0.0;
+  for (const auto& [width, height] :
+       {std::pair{1.2, 1.0}, {1.15, 1.0}, {1.1, 1.0}, {1.05, 1.0}, {1.0, 1.0}, {1.3, 0.3}}) {
+    scene.bodies.push_back(scenes::block(0.5 * width, 0.5 * height, {0.0, y + 0.5 * height}));
+    y += height;
+  }
+  scene.terrains.push_back(scenes::ground());
+  const auto found = bracket_of("L04 column", scene, 0.231609);
+  EXPECT_LE(found.stands, 1.01 * 0.231609);
+  EXPECT_GE(found.falls, 0.99 * 0.231609);
 }
 
 TEST(SemicircularArch, NeedsTheThicknessThatItsFrictionAsks) {

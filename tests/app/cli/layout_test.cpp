@@ -29,6 +29,19 @@ TEST_F(LayoutCommands, CheckSettlesAndSaysThePeriod) {
                              HasSubstr("0 of 56 bond points"), HasSubstr("period 0.2")));
 }
 
+TEST_F(LayoutCommands, ModesSaysPeriodsMassesAndShapes) {
+  const Ran ran =
+      run({"layout", "modes", "concrete-frame", "storeys=2", "bays=1", "--count", "3", "--out", "out"},
+          with_quick_plots());
+  EXPECT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_THAT(ran.out, AllOf(HasSubstr("effective mass (%)"), HasSubstr("modes.html")));
+  EXPECT_THAT(read("out/modes.csv"), HasSubstr("\n3,"));
+  EXPECT_THAT(read("out/mode_shapes.csv"), HasSubstr("\n1,S1.column1.1,"));
+  EXPECT_THAT(read("out/modes.html"), HasSubstr("Mode 3: T = "));
+  EXPECT_TRUE(exists("out/figures/mode_3.png"));
+  expect_refusal({"layout", "modes", "concrete-frame", "--count", "0"}, {"--count"});
+}
+
 TEST_F(LayoutCommands, CheckFailsOnErrors) {
   const Ran ran = run({"layout", "check", "masonry-house", "on.name=equipment", "on.floor_thickness=0 m",
                        "on.item_height=2.7 m", "on.item_width=1 m"});

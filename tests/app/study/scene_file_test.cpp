@@ -78,6 +78,7 @@ inertia = "90 kg m2"
 charge = "2.5e-6 C"
 linear_drag = "3.1 N s/m"
 quadratic_drag = "0.7 kg/m"
+force = ["2 kN", "-0.5 N"]
 material = "basalt"
 
 [[body]]
@@ -215,6 +216,7 @@ class Bits {
       add_placed(b);
       add(b.velocity), add(b.mass), add(b.inertia);
       add({b.spin, b.thickness, b.charge, b.linear_drag, b.quadratic_drag});
+      add(b.applied_force);
     }
     for (const auto& t : scene.terrains) add_placed(t);
     for (const auto& j : scene.joints) {
@@ -305,6 +307,7 @@ TEST(SceneFile, ReadsUnits) {
   EXPECT_DOUBLE_EQ(*scene.bodies[0].mass, 1700.0);
   EXPECT_DOUBLE_EQ(*scene.bodies[0].inertia, 90.0);
   EXPECT_DOUBLE_EQ(scene.bodies[0].charge, 2.5e-6);
+  EXPECT_EQ(scene.bodies[0].applied_force, (engine::Vec2{2000.0, -0.5}));
   EXPECT_DOUBLE_EQ(scene.fields.electric_field.y, -1000.0);
   EXPECT_DOUBLE_EQ(scene.materials[0].density, 2900.0);
 }

@@ -225,6 +225,49 @@ TEST(FieldBound, CountsDragAtTheSpeedOfNow) {
   EXPECT_NEAR(bound.damping, (0.6 + 2 * 0.1 * 5.0) / 2.0, 1e-14);
 }
 
+TEST(FieldBound, CountsTheSpringOfAppliedForces) {
+  Scene s = space();
+  s.bodies = {point(2.0, {}, {}), point(0.5, {1.0, 0.0}, {})};
+  s.bodies[0].applied_force = {3.0, 0.0}, s.bodies[1].applied_force = {0.0, 4.0};
+  s.fields.applied_relief = 0.1;
+  const Running r(s);
+  EXPECT_NEAR(spectral_bound(r.model, r.state, frames_of(r.model, r.state)).stiffness,
+              0.1 * (9.0 / 2.0 + 16.0 / 0.5), 1e-12);
+}
+
+// Two masses pulled apart from one spring are an oscillator: W = sum p x, W'' = lambda sum p^2/m.
+TEST(AppliedForces, AreDeadLoadsOrOneSpringInTheirProportions) {
+  Scene s = space();
+  s.bodies = {point(2.0, {}, {}), point(0.5, {5.0, 0.0}, {})};
+  s.bodies[0].applied_force = {3.0, 0.0}, s.bodies[1].applied_force = {0.0, -1.0};
+  Running dead(s);
+  dead.run(scenes::run_for(2.0));
+  EXPECT_NEAR(dead.position(0).x, 0.5 * 1.5 * 4.0, 1e-10);
+  EXPECT_NEAR(dead.position(1).y, -0.5 * 2.0 * 4.0, 1e-10);
+
+  s.fields.applied_relief = 0.4, s.fields.applied_factor = 0.2;
+  Running pulled(s);
+  const double work = applied_work(pulled.model.fields.applied, frames_of(pulled.model, pulled.state)),
+               w2 = 0.4 * (9.0 / 2.0 + 1.0 / 0.5), amplitude = 0.2 / 0.4 - work;
+  const Vec2 first = pulled.position(0), second = pulled.position(1);
+  DriveOptions options = scenes::run_for(2.0, 0.01, "rk4");
+  options.step = 1e-3;
+  pulled.run(options);
+  const double done = amplitude * (1.0 - std::cos(2.0 * std::sqrt(w2))), share = done / (w2 / 0.4);
+  EXPECT_NEAR(pulled.position(0).x - first.x, share * 3.0 / 2.0, 1e-9);
+  EXPECT_NEAR(pulled.position(1).y - second.y, -share * 1.0 / 0.5, 1e-9);
+  EXPECT_NEAR(pulled.energies().balance(), 0.5 * 0.4 * work * work - 0.2 * work, 1e-9);
+}
+
+TEST(AppliedForces, AreLeftOutWhereNoneAreAndNamedWhereWrong) {
+  Scene s = cloud(3);
+  EXPECT_TRUE(compile(s).fields.applied.bodies.empty());
+  s.bodies[1].applied_force.y = std::numeric_limits<double>::infinity();
+  EXPECT_THAT(refusal_of(s), HasSubstr("point 1: applied force"));
+  s = cloud(3), s.fields.applied_relief = -1.0;
+  EXPECT_THAT(refusal_of(s), HasSubstr("relief of applied forces"));
+}
+
 // A swarm that attracts, repels and collides. A Runge-Kutta method keeps a quadratic invariant such as the
 // angular momentum only to its order.
 TEST(IsolatedCluster, KeepsItsMomentumAboutAnyPoint) {
