@@ -30,7 +30,7 @@ defaults=()
 if [ $# -eq 0 ] || [[ $1 == -* ]]; then  # no scenario file
   given --layout "$@" || defaults+=(--layout four-storey)
   given --record "$@" || defaults+=(--record wenchuan)
-  given --pga "$@" || defaults+=(--pga "0.35 g")
+  given --pga "$@" || defaults+=(--pga "0.4 g")
   defaults+=(--set solve.duration="40 s")
 fi
 given --out "$@" || defaults+=(--out "$root/build/demo" --force)

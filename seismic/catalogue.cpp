@@ -39,6 +39,7 @@ CatalogueEntry entry_of(const Json& json, const std::filesystem::path& directory
   json.at("interval").get_to(entry.interval);
   json.at("duration").get_to(entry.duration);
   for (const Json& file : json.at("files")) entry.files.push_back(file_of(file));
+  for (const Json& file : json.at("also")) entry.also.push_back(file.at("name").get<std::string>());
   entry.directory = directory;
   return entry;
 }

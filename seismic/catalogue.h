@@ -35,6 +35,7 @@ struct CatalogueEntry {
   double interval = 0.0;  // s
   double duration = 0.0;  // s
   std::vector<CatalogueFile> files;
+  std::vector<std::string> also;  // names of files that hold the same motion in other formats
   std::filesystem::path directory;
 
   std::vector<std::filesystem::path> paths() const;

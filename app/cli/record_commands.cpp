@@ -104,6 +104,7 @@ int records_command() {
           "{}\n",
           file.component, file.pga / seismic::standard_gravity, file.pgv, file.arias, file.d5_95,
           file.psa_0_5 / seismic::standard_gravity, file.name);
+    if (!entry.also.empty()) fmt::print("  the same as {}\n", fmt::join(entry.also, ", "));
     fmt::print("  {}\n\n", entry.made_by);
   }
   fmt::print("Any file: dougong record info FILE\n");

@@ -258,6 +258,10 @@ Made make_styled(WordKeys& keys, double h) {
     if (name != scenario.alias) continue;
     scenario.seed = seed_of(keys);
     scenario.interval = h;
+    scenario.site = {keys.quantity("site-east", length, scenario.site.east),
+                     keys.quantity("site-north", length, scenario.site.north)};
+    if (seismic::closest_distance(scenario) < 500.0)
+      keys.fail("site-east, site-north: expected a site 500 m or more from every subfault");
     const std::string component = keys.word("component", "EW");
     seismic::ThreeComponents motion = seismic::simulate(scenario);
     std::vector<std::string> said = {
@@ -291,7 +295,8 @@ const Kind kinds[] = {
     {"noise", make_noise, "Gaussian white noise", "deviation, duration, ramp, seed"},
     {"compatible", make_compatible, "noise shaped until its spectrum follows a target",
      "target (as --target of record scale, with ; for ,), from, to, duration, rounds, seed"},
-    {"styled", make_styled, "another realisation of a shipped earthquake", "name, component, seed"},
+    {"styled", make_styled, "another realisation of a shipped earthquake, or at another place",
+     "name, component, seed, site-east, site-north"},
     {"point-source", make_point, "stochastic point source",
      "magnitude, stress-drop, distance, and of the crust"},
     {"finite-fault", make_fault, "stochastic finite fault",

@@ -14,6 +14,7 @@ namespace dougong::seismic {
 namespace {
 
 constexpr std::uint64_t slip_stream = 900001, delay_stream = 900002;  // beside those of the noise
+constexpr std::uint64_t most_subfaults = 10000;                       // of a plane: how far its numbers run
 
 struct Grid {
   int along, down;
@@ -80,28 +81,82 @@ double energy(double corner, const Region& region) {
   return sum;
 }
 
-std::vector<double> slips(const FiniteFault& f, int count, std::uint64_t seed) {
-  std::vector<double> slip(static_cast<std::size_t>(count), 1.0);
+double asperity_factor(const FiniteFault& f, const Grid& g, Place p) {
+  const double along = (p.i + 0.5) * g.dl, down = (p.j + 0.5) * g.dw;
+  double factor = 1.0;
+  for (const Asperity& a : f.asperities)
+    if (std::abs(along - a.along) <= 0.5 * a.length && std::abs(down - a.down) <= 0.5 * a.width)
+      factor = std::max(factor, a.slip);
+  return factor;
+}
+
+// Parts of the whole.
+std::vector<double> slips(const FiniteFault& f, const Grid& g, std::uint64_t seed, std::uint64_t plane) {
+  std::vector<double> slip;
   double sum = 0.0;
-  for (std::size_t k = 0; k < slip.size(); ++k) {
-    if (f.slip == SlipModel::random) slip[k] = uniform_number(seed, slip_stream, k);
-    sum += slip[k];
+  for (int j = 0; j < g.down; ++j) {
+    for (int i = 0; i < g.along; ++i) {
+      const std::uint64_t number = plane * most_subfaults + slip.size();
+      const double drawn = f.slip == SlipModel::random ? uniform_number(seed, slip_stream, number) : 1.0;
+      slip.push_back(drawn * asperity_factor(f, g, {i, j}));
+      sum += slip.back();
+    }
   }
   for (double& s : slip) s /= sum;
   return slip;
 }
 
+// A subfault's share of the motion: when it starts, from the break of the first hypocentre, and how long.
+struct Burst {
+  Subfault source;
+  double start, duration;  // s
+  std::size_t subfaults;   // of its plane
+  std::uint64_t number;    // of its noise
+};
+
+std::vector<Burst> bursts(const std::vector<RupturePlane>& planes, const Region& region,
+                          const SitePlace& site, std::uint64_t seed) {
+  std::vector<Burst> out;
+  for (std::uint64_t p = 0; p < planes.size(); ++p) {
+    const RupturePlane& plane = planes[p];
+    const SitePlace place{site.east - plane.corner.east, site.north - plane.corner.north};
+    const std::vector<Subfault> parts = subfaults(plane.fault, region, place, seed, p);
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      const std::uint64_t number = p * most_subfaults + k;
+      const double delay = parts[k].rise_time * uniform_number(seed, delay_stream, number);
+      out.push_back({parts[k], plane.onset + parts[k].arrival + delay,
+                     path_duration(parts[k].distance) + parts[k].rise_time, parts.size(), number});
+    }
+  }
+  return out;
+}
+
+double first_start(const std::vector<Burst>& parts) {
+  double first = std::numeric_limits<double>::infinity();
+  for (const Burst& b : parts) first = std::min(first, b.start);
+  return first;
+}
+
+void add_bursts(std::vector<double>& motion, const std::vector<Burst>& parts, const Region& region,
+                double interval, double shift, std::uint64_t seed, std::uint64_t component) {
+  for (const Burst& b : parts) {
+    const auto amplitude = [&](double f) { return fourier_amplitude(b.source, b.subfaults, region, f); };
+    add_shaped_noise(motion, amplitude, b.duration, b.start + shift, interval, seed,
+                     component * 1000000 + b.number);
+  }
+}
+
 }  // namespace
 
 std::vector<Subfault> subfaults(const FiniteFault& f, const Region& region, const SitePlace& site,
-                                std::uint64_t seed) {
+                                std::uint64_t seed, std::uint64_t plane) {
   const Grid g = grid_of(f);
   const Place hypo = hypocentre(f, g);
   const auto counts = ring_counts(g, hypo);
   const double moment = seismic_moment(f.magnitude), n = g.count();
   const double rupture = f.rupture_ratio * region.shear_velocity;
   const double whole = energy(corner_frequency(region, moment, f.stress_drop), region);
-  const std::vector<double> slip = slips(f, g.count(), seed);
+  const std::vector<double> slip = slips(f, g, seed, plane);
   std::map<int, std::pair<double, double>> of_ring;  // corner and H
   std::vector<Subfault> out;
   for (int j = 0; j < g.down; ++j) {
@@ -141,23 +196,22 @@ double fourier_amplitude(const Subfault& s, std::size_t count, const Region& reg
 std::vector<double> simulate(const FiniteFault& fault, const Region& region, const SitePlace& site,
                              double interval, double lead, std::uint64_t seed, std::uint64_t component,
                              double longest) {
-  const std::vector<Subfault> parts = subfaults(fault, region, site, seed);
-  double first = std::numeric_limits<double>::infinity(), last = 0.0;
-  std::vector<double> starts, durations;
-  for (std::size_t k = 0; k < parts.size(); ++k) {
-    const Subfault& s = parts[k];
-    starts.push_back(s.arrival + s.rise_time * uniform_number(seed, delay_stream, k));
-    durations.push_back(path_duration(s.distance) + s.rise_time);
-    first = std::min(first, starts.back());
-    last = std::max(last, starts.back() + 2.5 * durations.back());
-  }
+  const std::vector<Burst> parts = bursts({{fault, {}, 0.0}}, region, site, seed);
+  const double first = first_start(parts);
+  double last = first;
+  for (const Burst& b : parts) last = std::max(last, b.start + 2.5 * b.duration);
   const double length = std::min(longest, last - first + lead);
   std::vector<double> motion(static_cast<std::size_t>(std::ceil(length / interval)) + 1, 0.0);
-  for (std::size_t k = 0; k < parts.size(); ++k) {
-    const auto amplitude = [&](double f) { return fourier_amplitude(parts[k], parts.size(), region, f); };
-    add_shaped_noise(motion, amplitude, durations[k], starts[k] - first + lead, interval, seed,
-                     component * 1000000 + k);
-  }
+  add_bursts(motion, parts, region, interval, lead - first, seed, component);
+  return motion;
+}
+
+std::vector<double> simulate(const std::vector<RupturePlane>& planes, const Region& region,
+                             const SitePlace& site, double interval, double lead, std::uint64_t seed,
+                             std::uint64_t component, std::size_t samples) {
+  const std::vector<Burst> parts = bursts(planes, region, site, seed);
+  std::vector<double> motion(samples, 0.0);
+  add_bursts(motion, parts, region, interval, lead - first_start(parts), seed, component);
   return motion;
 }
 

@@ -1,7 +1,6 @@
 #include "seismic/synthesis/point_source.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -15,11 +14,12 @@ namespace {
 
 using std::numbers::pi;
 
+using Nodes = std::vector<std::pair<double, double>>;
+
 // Linear between the nodes, flat outside.
-template <std::size_t N>
-double interpolated(const std::array<std::pair<double, double>, N>& table, double x) {
+double interpolated(const Nodes& table, double x) {
   if (x <= table.front().first) return table.front().second;
-  for (std::size_t i = 1; i < N; ++i) {
+  for (std::size_t i = 1; i < table.size(); ++i) {
     if (x > table[i].first) continue;
     const auto [x0, y0] = table[i - 1];
     const auto [x1, y1] = table[i];
@@ -28,19 +28,53 @@ double interpolated(const std::array<std::pair<double, double>, N>& table, doubl
   return table.back().second;
 }
 
-// Boore 2016, generic rock of Vs30 760 m/s: amplitude against frequency (Hz), linear in log f.
-double site_amplification(double frequency) {
-  static const auto table = [] {
-    constexpr std::array<double, 25> f = {.01,   .015,   .021,   .031,   .045,   .065,   .095,  .138, .2,
-                                          .291,  .423,   .615,   .894,   1.301,  1.892,  2.751, 4.0,  5.817,
-                                          8.459, 12.301, 17.889, 26.014, 37.830, 55.012, 80.0};
-    constexpr std::array<double, 25> a = {1.00, 1.01, 1.02, 1.02, 1.04, 1.06, 1.09, 1.13, 1.18,
-                                          1.25, 1.32, 1.41, 1.51, 1.64, 1.80, 1.99, 2.18, 2.38,
-                                          2.56, 2.75, 2.95, 3.17, 3.42, 3.68, 3.96};
-    std::array<std::pair<double, double>, 25> out{};
-    for (std::size_t i = 0; i < out.size(); ++i) out[i] = {std::log(f[i]), a[i]};
-    return out;
-  }();
+Nodes over_log(Nodes table) {
+  for (auto& [frequency, amplification] : table) frequency = std::log(frequency);
+  return table;
+}
+
+// Frequency (Hz), amplification.
+double site_amplification(SiteTable site, double frequency) {
+  static const Nodes rock =
+      over_log({{.01, 1.00},    {.015, 1.01},   {.021, 1.02},  {.031, 1.02},   {.045, 1.04},
+                {.065, 1.06},   {.095, 1.09},   {.138, 1.13},  {.2, 1.18},     {.291, 1.25},
+                {.423, 1.32},   {.615, 1.41},   {.894, 1.51},  {1.301, 1.64},  {1.892, 1.80},
+                {2.751, 1.99},  {4.0, 2.18},    {5.817, 2.38}, {8.459, 2.56},  {12.301, 2.75},
+                {17.889, 2.95}, {26.014, 3.17}, {37.83, 3.42}, {55.012, 3.68}, {80.0, 3.96}});
+  static const Nodes japan = over_log({{.11, 1.39},
+                                       {.22, 1.62},
+                                       {.41, 1.84},
+                                       {.64, 1.92},
+                                       {.80, 1.97},
+                                       {.99, 2.05},
+                                       {1.23, 2.13},
+                                       {1.53, 2.28},
+                                       {1.90, 2.44},
+                                       {2.37, 2.60},
+                                       {2.94, 2.78},
+                                       {3.66, 3.10},
+                                       {4.55, 3.23},
+                                       {5.66, 3.43},
+                                       {7.04, 3.66},
+                                       {8.75, 3.71},
+                                       {10.9, 3.55},
+                                       {13.5, 3.03}});
+  static const Nodes california = over_log({{.10, 1.45},
+                                            {.24, 1.87},
+                                            {.45, 2.17},
+                                            {.79, 2.48},
+                                            {1.38, 2.91},
+                                            {1.93, 3.20},
+                                            {2.85, 3.36},
+                                            {4.03, 3.35},
+                                            {6.34, 3.13},
+                                            {12.54, 2.95},
+                                            {21.23, 2.99},
+                                            {33.39, 3.11},
+                                            {82.0, 3.23}});
+  const Nodes& table = site == SiteTable::japan_500        ? japan
+                       : site == SiteTable::california_500 ? california
+                                                           : rock;
   return interpolated(table, std::log(frequency));
 }
 
@@ -80,10 +114,14 @@ double seismic_moment(double magnitude) {
   return std::pow(10.0, 1.5 * magnitude + 16.05) * dyne_cm;
 }
 
+double moment_magnitude(double moment) {
+  return (std::log10(moment / dyne_cm) - 16.05) / 1.5;
+}
+
 // Boore & Thompson, active crust: effective distance (km), seconds; 0.156 s/km beyond.
 double path_duration(double distance) {
-  constexpr std::array<std::pair<double, double>, 6> table = {
-      {{0.0, 0.0}, {7.0, 2.4}, {45.0, 8.4}, {125.0, 10.9}, {175.0, 17.4}, {270.0, 34.2}}};
+  static const Nodes table = {{0.0, 0.0},    {7.0, 2.4},    {45.0, 8.4},
+                              {125.0, 10.9}, {175.0, 17.4}, {270.0, 34.2}};
   const double km = distance * 1e-3;
   return interpolated(table, km) + 0.156 * std::max(0.0, km - 270.0);
 }
@@ -107,7 +145,8 @@ double at_the_site(double source, const Region& region, double distance, double 
   const double km = distance * 1e-3;
   const double q = region.q0 * std::pow(std::max(f, 0.1), region.q_exponent);
   const double path = spreading(region, km) * std::exp(-pi * f * km / (q * region.shear_velocity * 1e-3));
-  const double site = region.site_factor * site_amplification(f) * std::exp(-pi * region.kappa * f);
+  const double site =
+      region.site_factor * site_amplification(region.site, f) * std::exp(-pi * region.kappa * f);
   const double low = std::pow(region.low_cut / f, 4);
   return source * path * site / std::sqrt(1.0 + low * low);
 }

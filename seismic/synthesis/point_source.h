@@ -10,8 +10,8 @@
 // (peak at 0.2, 5 % left at t_n, t_n = 2 T_gm), transformed, divided by the rms of its spectrum, multiplied
 // by A(f), transformed back. Duration T_gm = 1/f0 + path duration. Assumes a far field, one mean radiation
 // pattern and no directivity; holds for about 0.1 s to 5 s. Sources: Boore, Pure Appl. Geophys. 160 (2003)
-// 635-676; path durations of Boore & Thompson, BSSA 104 (2014) and 105 (2015); site amplification of generic
-// rock (Vs30 760 m/s), Boore, BSSA 106 (2016).
+// 635-676; path durations of Boore & Thompson, BSSA 104 (2014) and 105 (2015); site amplification of a
+// table below.
 #pragma once
 
 #include <cstdint>
@@ -21,6 +21,13 @@
 
 namespace dougong::seismic {
 
+/// Amplification against frequency, linear in lg f and flat outside, of ground with a stated Vs30.
+enum class SiteTable {
+  generic_rock_760,  // Boore, BSSA 106 (2016)
+  japan_500,         // EXSIM method note of 2022 (Atkinson, Assatourians, Hassani)
+  california_500,    // the same
+};
+
 /// The crust that the waves pass: SI but for distances in km, where the published pieces are.
 struct Region {
   double density = 2800.0;         // kg/m3
@@ -28,8 +35,9 @@ struct Region {
   double q0 = 200.0, q_exponent = 0.5;
   double kappa = 0.03;                                               // s
   std::vector<std::pair<double, double>> spreading = {{1.0, -1.0}};  // from R (km): exponent
-  double site_factor = 1.0;  // on the generic-rock amplification, all frequencies
+  double site_factor = 1.0;  // on the amplification of the site's table, all frequencies
   double low_cut = 0.05;     // Hz
+  SiteTable site = SiteTable::generic_rock_760;
 };
 
 struct PointSource {
@@ -44,6 +52,7 @@ double at_the_site(double source, const Region& region, double distance, double 
 /// C (2 pi f)^2 M0 (m/s), a source of moment M0 (N m) before its corner.
 double source_amplitude(const Region& region, double moment, double frequency);
 double seismic_moment(double magnitude);  // N m
+double moment_magnitude(double moment);   // of N m
 /// f0 (Hz) of moment (N m) and stress drop (Pa).
 double corner_frequency(const Region& region, double moment, double stress_drop);
 double path_duration(double distance);  // s, m

@@ -1,8 +1,8 @@
-// The earthquakes whose motion is shipped: patches of a fault, each a stochastic point source, summed at one
-// site in the order in which their waves arrive; or a finite fault.
+// The earthquakes whose motion is shipped: ruptures that run over one or several planes, seen from one site.
 //
-// They are styled after six events, not copies of any recording: magnitude, patches, delays and attenuation
-// are of the published order (docs/theory/seismic.md), the station is invented.
+// They are styled after six events, not copies of any recording: planes, hypocentres, delays, asperities and
+// attenuation are of the published order (docs/records.md says where they come from and how near the motions
+// come to what was observed), the station is invented.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "seismic/record.h"
 #include "seismic/synthesis/finite_fault.h"
-#include "seismic/synthesis/point_source.h"
 
 namespace dougong::seismic {
 
@@ -25,9 +25,9 @@ struct Scenario {
   std::uint64_t seed = 0;
   double vertical_ratio = 2.0 / 3.0;  // of the horizontal spectrum, m/s2 per m/s2
   Region region;
-  std::vector<PointSource> patches;
-  std::optional<FiniteFault> fault = {};  // instead of patches
-  SitePlace site = {};                    // of the fault
+  std::optional<Place> hypocentre;  // of the event; where it is given, the map is from the epicentre
+  std::vector<RupturePlane> planes;
+  SitePlace site;  // on the same map
 };
 
 Scenario wenchuan_scenario();
@@ -38,6 +38,9 @@ Scenario kocaeli_scenario();
 Scenario el_centro_scenario();
 /// All of them, in the order in which they are shipped.
 std::vector<Scenario> shipped_scenarios();
+
+/// Of the site from the nearest centre of a subfault, m.
+double closest_distance(const Scenario& scenario);
 
 struct ThreeComponents {
   std::vector<double> east_west, north_south, up_down;  // m/s2

@@ -7,9 +7,11 @@
 
 #include "seismic/constants.h"
 #include "seismic/describe.h"
+#include "seismic/formats/csmnc.h"
 #include "seismic/formats/file_text.h"
 #include "seismic/formats/knet.h"
 #include "seismic/formats/peer_at2.h"
+#include "seismic/formats/write_record.h"
 #include "seismic/numerics/parse_number.h"
 #include "seismic/synthesis/scenario.h"
 
@@ -18,9 +20,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double recorder_step = 1e-6 * standard_gravity;  // m/s2, of the AT2 files
-constexpr double knet_scale_gal = 3920.0;                  // the scale of K-NET instruments
-constexpr long knet_scale_counts = 6182761;
+constexpr double recorder_step = 1e-6 * standard_gravity;  // m/s2
 
 struct Component {
   std::string name;  // of the file
@@ -28,64 +28,56 @@ struct Component {
   Record record;  // as a reader sees it
 };
 
-std::string at2_bytes(const Scenario& s, const std::string& component, std::vector<double> motion) {
-  for (double& a : motion) a = std::round(a / recorder_step) * recorder_step;
-  return write_peer_at2({"SYNTHETIC motion made by dougong, not a recording", s.title, "undated",
-                         fmt::format("station SYN1 (invented; seed {})", s.seed), component, s.interval,
-                         std::move(motion)});
+// Without the mean, which K-NET's readers take off: so the files of all formats hold the same motion.
+std::vector<double> as_recorded(std::vector<double> motion) {
+  double mean = 0.0;
+  for (const double a : motion) mean += a / static_cast<double>(motion.size());
+  for (double& a : motion) a = std::round((a - mean) / recorder_step) * recorder_step;
+  return motion;
 }
 
-std::string knet_bytes(const Scenario& s, const std::string& direction, const std::vector<double>& motion) {
-  KnetSheet sheet;
-  sheet.origin_time = sheet.record_time = "2011/03/11 00:00:00";
-  sheet.latitude = "38.1";
-  sheet.longitude = "142.9";
-  sheet.depth = "24";
-  sheet.magnitude = "9.0";
-  sheet.station_code = "SYN001";
-  sheet.station_latitude = "38.4000";
-  sheet.station_longitude = "141.2000";
-  sheet.station_height = "10";
-  sheet.direction = direction;
-  sheet.memo = fmt::format("SYNTHETIC motion made by dougong, not a recording; seed {}", s.seed);
-  sheet.sampling_frequency = static_cast<int>(std::lround(1.0 / s.interval));
-  sheet.scale_gal = knet_scale_gal;
-  sheet.scale_counts = knet_scale_counts;
-  const double count = knet_scale_gal / static_cast<double>(knet_scale_counts) * 0.01;  // m/s2
-  for (const double a : motion) sheet.counts.push_back(std::lround(a / count));
-  return write_knet(sheet);
+// On a sphere of 6371 km.
+std::optional<Place> station_place(const Scenario& s) {
+  if (!s.hypocentre) return std::nullopt;
+  constexpr double degree = 6371e3 * two_pi / 360.0;  // m
+  const double latitude = s.hypocentre->latitude;
+  return Place{latitude + s.site.north / degree,
+               s.hypocentre->longitude + s.site.east / (degree * std::cos(latitude * two_pi / 360.0)),
+               {}};
 }
 
-Component read_back(std::string name, std::string bytes,
-                    Record (*read)(const FileText&, const ReadOptions&)) {
-  Component out{std::move(name), std::move(bytes), {}};
-  FileText text;
-  set_bytes(out.name, out.bytes, text);
-  out.record = read(text, {});
-  return out;
+Record record_of(const Scenario& s, const char* component, Axis axis, double azimuth,
+                 std::vector<double> motion) {
+  Record record;
+  record.acceleration = as_recorded(std::move(motion));
+  record.interval = s.interval;
+  record.component = component;
+  record.axis = axis;
+  if (axis == Axis::horizontal) record.azimuth = azimuth;
+  record.provenance.event = fmt::format("{}; seed {}", s.title, s.seed);
+  record.provenance.station = "SYN001";
+  record.provenance.hypocentre = s.hypocentre;
+  record.provenance.station_place = station_place(s);
+  record.provenance.synthetic = true;
+  return record;
 }
 
-std::vector<Component> at2_files(const Scenario& s) {
-  const ThreeComponents motion = simulate(s);
+std::string name_of(const Scenario& s, const std::string& component, const WrittenFile& file,
+                    WrittenFormat format) {
+  return s.id + (format == WrittenFormat::at2 ? "-" + component + ".at2" : file.suffix);
+}
+
+std::vector<Component> files_of(const Scenario& s, const std::vector<Record>& records, WrittenFormat format) {
   std::vector<Component> out;
-  const auto add = [&](const char* component, const std::vector<double>& a) {
-    out.push_back(read_back(s.id + "-" + component + ".at2", at2_bytes(s, component, a), read_peer_at2));
-  };
-  add("EW", motion.east_west);
-  add("NS", motion.north_south);
-  add("UD", motion.up_down);
-  return out;
-}
-
-std::vector<Component> knet_files(const Scenario& s) {
-  const ThreeComponents motion = simulate(s);
-  std::vector<Component> out;
-  const auto add = [&](const char* suffix, const char* direction, const std::vector<double>& a) {
-    out.push_back(read_back(s.id + "." + suffix, knet_bytes(s, direction, a), read_knet));
-  };
-  add("EW", "E-W", motion.east_west);
-  add("NS", "N-S", motion.north_south);
-  add("UD", "U-D", motion.up_down);
+  for (WrittenFile& file : write_records(records, format)) {
+    Component c{name_of(s, file.components.front(), file, format), std::move(file.bytes), {}};
+    FileText text;
+    set_bytes(c.name, c.bytes, text);
+    c.record = format == WrittenFormat::at2    ? read_peer_at2(text, {})
+               : format == WrittenFormat::knet ? read_knet(text, {})
+                                               : read_csmnc(text, {});
+    out.push_back(std::move(c));
+  }
   return out;
 }
 
@@ -110,57 +102,96 @@ Json file_entry(const Component& component) {
             {"psa_2.0", rounded(info.psa_2_0)}}}};
 }
 
-std::string fault_text(const Scenario& s) {
-  const FiniteFault& f = *s.fault;
-  return fmt::format(
-      "a fault of {:g} x {:g} km, dip {:.3g} degrees, stress drop {:g} MPa, in subfaults of {:g} km with "
-      "random slip, broken from its middle at {:g} beta; the site {:g} km beside it and {:g} km along it",
-      f.length * 1e-3, f.width * 1e-3, f.dip * 360.0 / two_pi, f.stress_drop * 1e-6, f.subfault_length * 1e-3,
-      f.rupture_ratio, std::abs(s.site.east) * 1e-3, s.site.north * 1e-3);
+const char* table_text(SiteTable table) {
+  if (table == SiteTable::japan_500) return "Japan, Vs30 500 m/s";
+  if (table == SiteTable::california_500) return "California, Vs30 500 m/s";
+  return "generic rock, Vs30 760 m/s";
 }
 
-std::string patches_text(const Scenario& s) {
-  std::string text = "patches (Mw, stress drop MPa, distance km, onset s):";
-  for (const PointSource& p : s.patches)
-    text += fmt::format(" ({:g}, {:g}, {:g}, {:g})", p.magnitude, p.stress_drop * 1e-6, p.distance * 1e-3,
-                        p.onset);
-  return text;
+std::string plane_text(const RupturePlane& plane, const Scenario& s) {
+  const FiniteFault& f = plane.fault;
+  Scenario alone = s;
+  alone.planes = {plane};
+  std::string text = fmt::format(
+      "Mw {:.3g}, {:g} x {:g} km, strike {:.3g}, dip {:.3g}, {:g} MPa, subfaults of {:g} x {:g} km with "
+      "random slip, "
+      "broken from ({:.3g}, {:.3g}) of its sides at {:g} beta from {:.3g} s on",
+      f.magnitude, f.length * 1e-3, f.width * 1e-3, f.strike * 360.0 / two_pi, f.dip * 360.0 / two_pi,
+      f.stress_drop * 1e-6, f.subfault_length * 1e-3, f.subfault_width * 1e-3, f.hypocentre_along,
+      f.hypocentre_down, f.rupture_ratio, plane.onset);
+  for (const Asperity& a : f.asperities)
+    text += fmt::format(", {:g} times the slip in {:g} x {:g} km about ({:g}, {:g}) km", a.slip,
+                        a.length * 1e-3, a.width * 1e-3, a.along * 1e-3, a.down * 1e-3);
+  return text + fmt::format(", {:.3g} km away", closest_distance(alone) * 1e-3);
 }
 
 std::string how_made(const Scenario& s) {
-  return fmt::format(
-      "{}: beta {:g} m/s, density {:g} kg/m3, Q {:g} f^{:g}, kappa {:g} s, generic rock (Vs30 760 m/s) "
-      "amplification times "
-      "{:g}; {}; vertical {:.3f} of the horizontal spectrum",
-      s.fault ? "stochastic finite fault (Motazedian & Atkinson 2005; Boore 2009)"
-              : "stochastic point sources (Boore 2003) summed in time",
+  std::string text = fmt::format(
+      "stochastic finite fault (Motazedian & Atkinson 2005; Boore 2009): beta {:g} m/s, density {:g} kg/m3, "
+      "Q {:g} f^{:g}, kappa {:g} s, amplification of {} times {:g}; vertical {:.3f} of the horizontal "
+      "spectrum; "
+      "planes:",
       s.region.shear_velocity, s.region.density, s.region.q0, s.region.q_exponent, s.region.kappa,
-      s.region.site_factor, s.fault ? fault_text(s) : patches_text(s), s.vertical_ratio);
+      table_text(s.region.site), s.region.site_factor, s.vertical_ratio);
+  for (const RupturePlane& plane : s.planes) text += " (" + plane_text(plane, s) + ")";
+  return text;
 }
 
-Json entry(const Scenario& s, const std::vector<Component>& components) {
+Json entry(const Scenario& s, const std::vector<Component>& components, const Json& also) {
   Json files = Json::array();
   for (const Component& component : components) files.push_back(file_entry(component));
-  return {{"id", s.id},        {"alias", s.alias},       {"title", s.title},
-          {"synthetic", true}, {"made_by", how_made(s)}, {"command", "make_records records"},
-          {"seed", s.seed},    {"interval", s.interval}, {"duration", s.duration},
-          {"files", files}};
+  return {{"id", s.id},
+          {"alias", s.alias},
+          {"title", s.title},
+          {"synthetic", true},
+          {"made_by", how_made(s)},
+          {"command", "make_records records"},
+          {"seed", s.seed},
+          {"interval", s.interval},
+          {"duration", s.duration},
+          {"files", files},
+          {"also", also}};
+}
+
+// The format that the name of a record stands for, then the others.
+std::vector<WrittenFormat> shipped_formats(const Scenario& s) {
+  if (s.alias == "wenchuan") return {WrittenFormat::at2, WrittenFormat::knet, WrittenFormat::csmnc};
+  if (s.alias == "tohoku") return {WrittenFormat::knet, WrittenFormat::at2, WrittenFormat::csmnc};
+  return {WrittenFormat::at2};
+}
+
+// Adds the files of a record to `out`; its entry of the catalogue.
+Json ship(const Scenario& s, std::vector<ShippedFile>& out) {
+  const std::vector<Record> motion = shipped_motion(s);
+  std::vector<Component> first;
+  Json also = Json::array();
+  for (const WrittenFormat format : shipped_formats(s)) {
+    std::vector<Component> components = files_of(s, motion, format);
+    for (const Component& c : components) {
+      out.push_back({c.name, c.bytes});
+      if (!first.empty()) also.push_back({{"name", c.name}, {"sha256", c.record.provenance.sha256}});
+    }
+    if (first.empty()) first = std::move(components);
+  }
+  return entry(s, first, also);
 }
 
 }  // namespace
 
+std::vector<Record> shipped_motion(const Scenario& s) {
+  ThreeComponents motion = simulate(s);
+  return {record_of(s, "EW", Axis::horizontal, 90.0, std::move(motion.east_west)),
+          record_of(s, "NS", Axis::horizontal, 0.0, std::move(motion.north_south)),
+          record_of(s, "UD", Axis::vertical, 0.0, std::move(motion.up_down))};
+}
+
 std::vector<ShippedFile> shipped_files() {
   std::vector<ShippedFile> out;
   Json records = Json::array();
-  const auto add = [&](const Scenario& scenario, const std::vector<Component>& components) {
-    for (const Component& component : components) out.push_back({component.name, component.bytes});
-    records.push_back(entry(scenario, components));
-  };
-  for (const Scenario& scenario : shipped_scenarios())
-    add(scenario, scenario.alias == "tohoku" ? knet_files(scenario) : at2_files(scenario));
+  for (const Scenario& scenario : shipped_scenarios()) records.push_back(ship(scenario, out));
   const Json catalogue = {{"note",
                            "Synthetic motions made by this project; none of them is a recording. SI units; "
-                           "PGV after removal of the mean."},
+                           "PGV after removal of the mean. also: the same motion in other formats."},
                           {"records", records}};
   out.push_back({"catalogue.json", catalogue.dump(2) + "\n"});
   return out;

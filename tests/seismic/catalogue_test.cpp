@@ -7,6 +7,8 @@
 
 #include "seismic/conditioning/condition.h"
 #include "seismic/describe.h"
+#include "seismic/formats/write_record.h"
+#include "seismic/measures/peaks.h"
 #include "seismic/read_record.h"
 #include "seismic/synthesis/shipped.h"
 #include "tests/seismic/test_data.h"
@@ -62,20 +64,80 @@ TEST(Catalogue, RegeneratingGivesTheSameBytes) {
   }
 }
 
+// Mean square acceleration between two times.
+double power(const Record& record, double from, double to) {
+  const auto index = [&](double t) { return static_cast<std::size_t>(std::lround(t / record.interval)); };
+  double sum = 0.0;
+  for (std::size_t k = index(from); k < index(to); ++k)
+    sum += record.acceleration[k] * record.acceleration[k];
+  return sum / static_cast<double>(index(to) - index(from));
+}
+
+// The first area and, 50 s later, the third; then the southern ones.
 TEST(Catalogue, TohokuHasTwoBurstsAndLastsLong) {
-  const auto entry = find_entry(read_catalogue(records()), "tohoku");
-  const RecordSet set = read_records(entry->paths());
-  const auto& a = set.horizontal().acceleration;
-  const auto energy = [&](double from, double to) {
-    double sum = 0.0;
-    for (auto k = static_cast<std::size_t>(from * 100); k < static_cast<std::size_t>(to * 100); ++k)
-      sum += a[k] * a[k];
-    return sum / (to - from);
-  };
-  const double first = energy(14, 34), gap = energy(50, 60), second = energy(64, 84);
-  EXPECT_GT(first, 3 * gap);
-  EXPECT_GT(second, 3 * gap);
-  EXPECT_GT(describe(set.horizontal()).d5_95, 60.0);
+  const RecordSet set = read_records(find_entry(read_catalogue(records()), "tohoku")->paths());
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Record& a = set.components[i];
+    const double first = power(a, 4, 16), gap = power(a, 28, 48), second = power(a, 54, 70);
+    EXPECT_GT(first, 30 * gap);
+    EXPECT_GT(second, 30 * gap);
+    EXPECT_GT(power(a, 105, 160), 3 * power(a, 85, 100));
+    EXPECT_GT(describe(a).d5_95, 60.0);
+  }
+}
+
+// Of the rupture's beginning and of Beichuan's; after a minute the north-eastern plane still breaks.
+TEST(Catalogue, WenchuanHasTwoStrongPhasesAndALongEnd) {
+  const RecordSet set = read_records(find_entry(read_catalogue(records()), "wenchuan")->paths());
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Record& a = set.components[i];
+    const double between = power(a, 15, 20);
+    EXPECT_GT(power(a, 5, 15), 1.5 * between);
+    EXPECT_GT(power(a, 24, 32), 1.1 * between);
+    EXPECT_GT(power(a, 60, 80), 1.5 * power(a, 48, 56));
+    EXPECT_GT(describe(a).d5_95, 50.0);
+  }
+}
+
+TEST(Catalogue, EveryRecordReadsTheSameFromAllThreeNetworksFormats) {
+  for (const Scenario& scenario : shipped_scenarios()) {
+    const auto motion = shipped_motion(scenario);
+    for (const WrittenFormat format : {WrittenFormat::at2, WrittenFormat::knet, WrittenFormat::csmnc}) {
+      const auto files = write_records(motion, format);
+      ASSERT_EQ(files.size(), 3u);
+      for (std::size_t i = 0; i < 3; ++i) {
+        ReadOptions options;
+        options.component = motion[i].component;
+        const auto path = testing::write_file(scenario.alias + files[i].suffix, files[i].bytes);
+        const Record back = read_record(path, options).horizontal();
+        EXPECT_TRUE(back.provenance.synthetic) << files[i].suffix;
+        EXPECT_TRUE(back.warnings.empty()) << files[i].suffix << ": " << back.warnings.front();
+        ASSERT_EQ(back.acceleration.size(), motion[i].acceleration.size());
+        const double top = peak(motion[i].acceleration, motion[i].interval).value;
+        double worst = 0.0;
+        for (std::size_t k = 0; k < back.acceleration.size(); ++k)
+          worst = std::max(worst, std::abs(back.acceleration[k] - motion[i].acceleration[k]));
+        EXPECT_LT(worst, 2e-6 * top) << scenario.alias << files[i].suffix;
+      }
+    }
+  }
+}
+
+TEST(Catalogue, FilesInOtherFormatsHoldTheSameMotion) {
+  std::size_t files = 0;
+  for (const CatalogueEntry& entry : read_catalogue(records())) {
+    const RecordSet first = read_records(entry.paths());
+    for (std::size_t i = 0; i < entry.also.size(); ++i, ++files) {
+      ReadOptions options;
+      options.component = entry.files[i % 3].component;
+      const Record other = read_record(entry.directory / entry.also[i], options).horizontal();
+      const Record& one = first.components[i % 3];
+      EXPECT_EQ(other.interval, one.interval);
+      EXPECT_CLOSE(describe(other).pga, entry.files[i % 3].pga, 1e-5);
+      EXPECT_CLOSE(describe(other).psa_1_0, entry.files[i % 3].psa_1_0, 1e-5);
+    }
+  }
+  EXPECT_EQ(files, 12u);  // Wenchuan and Tohoku
 }
 
 TEST(Catalogue, ShippedMotionsConditionToRest) {

@@ -106,6 +106,43 @@ TEST(FiniteFault, DoesNotDependOnTheNumberOfItsSubfaultsOrTheStep) {
   }
 }
 
+TEST(FiniteFault, AsperitiesMoveSlipAndKeepTheMoment) {
+  FiniteFault f = moderate();
+  f.asperities = {{8000.0, 8000.0, 8000.0, 8000.0, 3.0}};  // 4 of 24 subfaults
+  const auto parts = subfaults(f, {}, site, 1);
+  double moment = 0.0;
+  for (const Subfault& s : parts) moment += s.moment;
+  EXPECT_CLOSE(moment, seismic_moment(f.magnitude), 1e-12);
+  const std::size_t along = 6;  // subfaults in a row
+  EXPECT_CLOSE(parts[along + 1].moment, 3.0 * parts[along + 3].moment, 1e-12);
+  EXPECT_CLOSE(parts[along + 3].moment, moment / (20.0 + 4.0 * 3.0), 1e-12);
+}
+
+// Mean square between two times, over seeds.
+double power(const std::vector<RupturePlane>& planes, double from, double to) {
+  double sum = 0.0;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    const auto a = simulate(planes, {}, site, 0.01, 1.0, seed, 1, 8000);
+    for (auto k = static_cast<std::size_t>(100 * from); k < static_cast<std::size_t>(100 * to); ++k)
+      sum += a[k] * a[k];
+  }
+  return sum;
+}
+
+TEST(FiniteFault, PlanesComeOneAfterTheOtherAndAdd) {
+  const RupturePlane one{moderate(), {}, 0.0}, later{moderate(), {}, 40.0};
+  const auto alone = simulate(moderate(), {}, site, 0.01, 1.0, 5, 1);
+  auto same = simulate({one}, {}, site, 0.01, 1.0, 5, 1, alone.size());
+  EXPECT_EQ(same, alone);
+  const double first = power({one, later}, 0.0, 40.0), second = power({one, later}, 40.0, 80.0);
+  EXPECT_CLOSE(first, power({one}, 0.0, 40.0), 1e-12);
+  EXPECT_CLOSE(second, first, 0.25);  // other noise, the same motion
+  // A plane that lies 10 km to the east is as one whose site lies 10 km to the west.
+  const RupturePlane aside{moderate(), {10000.0, 0.0}, 0.0};
+  EXPECT_EQ(simulate({aside}, {}, {site.east + 10000.0, site.north}, 0.01, 1.0, 5, 1, 100),
+            simulate({one}, {}, site, 0.01, 1.0, 5, 1, 100));
+}
+
 TEST(FiniteFault, GivesTheSameBitsForASeed) {
   EXPECT_EQ(simulate(moderate(), {}, site, 0.01, 1.0, 5, 1), simulate(moderate(), {}, site, 0.01, 1.0, 5, 1));
   EXPECT_NE(simulate(moderate(), {}, site, 0.01, 1.0, 5, 1), simulate(moderate(), {}, site, 0.01, 1.0, 5, 2));
