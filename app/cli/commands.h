@@ -65,7 +65,12 @@ struct StaticsOptions {
 /// How much of its weight a building bears sideways, and how it would go.
 int statics_command(const StaticsOptions& options);
 
-int layouts_command();
+struct LayoutsOptions {
+  std::string page;  // HTML file to write as well
+  bool force = false;
+};
+/// The table of all; with a page, also their drawings and parameters.
+int layouts_command(const LayoutsOptions& options);
 
 struct LayoutOptions {
   std::string name;              // of a layout, or a scene file with storeys

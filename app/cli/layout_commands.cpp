@@ -5,6 +5,7 @@
 #include "app/cli/output_folder.h"
 #include "app/cli/terminal.h"
 #include "app/report/gnuplot.h"
+#include "app/report/layouts_page.h"
 #include "app/report/model_dxf.h"
 #include "app/report/model_svg.h"
 #include "app/report/modes_report.h"
@@ -79,6 +80,23 @@ std::string period_of(const Rest& rest) {
   return main ? significant(main->period(), 3) + " s" : "-";
 }
 
+LayoutEntry entry_of(const structures::Layout& layout) {
+  const structures::Building building = structures::build_layout(layout.name);
+  LayoutEntry entry{model_sheet(building), period_of(settled(building)), layout.counting, {}};
+  for (const structures::Parameter& p : layout.parameters)
+    entry.parameters.push_back({p.name, printed(p, p.standard), range_of(p), p.meaning});
+  return entry;
+}
+
+void refuse_page(const LayoutsOptions& options) {
+  const std::filesystem::path path = options.page;
+  if (path.empty()) return;
+  if (path.extension() != ".html")
+    throw FileError(path, "write the page", "expected a name that ends in .html");
+  if (!options.force && std::filesystem::exists(path))
+    throw FileError(path, "write the page", "the file exists; give --force or another --page");
+}
+
 std::string summary_line(const ModelSheet& sheet) {
   return fmt::format("{} blocks, {} bonds, {} joints, {}, {} storeys", sheet.blocks.size(),
                      sheet.bonded.size(), sheet.links.size(), mass_text(sheet.mass), sheet.storeys.size());
@@ -86,19 +104,26 @@ std::string summary_line(const ModelSheet& sheet) {
 
 }  // namespace
 
-int layouts_command() {
+int layouts_command(const LayoutsOptions& options) {
+  refuse_page(options);
+  std::vector<LayoutEntry> entries;
   fmt::print("{:<20}{:>7}{:>7}{:>9}{:>10}{:>13}   {}\n", "layout", "blocks", "bonds", "storeys", "mass",
              "period", "what it is");
   for (const structures::Layout& layout : structures::layouts()) {
-    const structures::Building building = structures::build_layout(layout.name);
-    const ModelSheet sheet = model_sheet(building);
+    entries.push_back(entry_of(layout));
+    const ModelSheet& sheet = entries.back().model;
     fmt::print("{:<20}{:>7}{:>7}{:>9}{:>10}{:>13}   {}\n", layout.name, sheet.blocks.size(),
-               sheet.bonded.size(), sheet.storeys.size(), mass_text(sheet.mass), period_of(settled(building)),
+               sheet.bonded.size(), sheet.storeys.size(), mass_text(sheet.mass), entries.back().period,
                layout.summary);
   }
   fmt::print(
       "\nPeriod: small vibrations after settling, every contact stuck.\n"
-      "Parameters and a picture of one: dougong layout show NAME\n");
+      "Parameters and a picture of one: dougong layout show NAME; of all: dougong layouts --page "
+      "FILE.html\n");
+  if (!options.page.empty()) {
+    write_file(options.page, layouts_page(entries));
+    fmt::print("page: {}\n", options.page);
+  }
   return exit_survived;
 }
 

@@ -31,6 +31,7 @@ struct Request {
   RunOptions run;
   CompareOptions compare;
   StaticsOptions tilt, pushover;
+  LayoutsOptions layouts;
   LayoutOptions layout;
   ImportOptions import;
   RecordInfoOptions record;
@@ -177,8 +178,10 @@ void add_layout_import(CLI::App& parent, Request& r) {
 
 void add_layouts(CLI::App& app, Request& r) {
   CLI::App* list = app.add_subcommand("layouts", "List the buildings there are");
-  list->footer("Example: dougong layouts");
-  list->callback([&r] { r.command = layouts_command; });
+  list->add_option("--page", r.layouts.page, "Page with the drawings and parameters of all: FILE.html");
+  list->add_flag("--force", r.layouts.force, "Write over an existing file");
+  list->footer("Example: dougong layouts --page layouts.html");
+  list->callback([&r] { r.command = [&r] { return layouts_command(r.layouts); }; });
   CLI::App* layout = app.add_subcommand("layout", "One building: its parameters, picture, check and export");
   layout->require_subcommand(1);
   layout->footer("Example: dougong layout show brick-wall");

@@ -15,6 +15,15 @@ TEST_F(LayoutCommands, TheTableHasPeriods) {
   EXPECT_THAT(ran.out, HasSubstr("0.598 s")) << "of the concrete frame";
 }
 
+TEST_F(LayoutCommands, ThePageDrawsEachWithItsParameters) {
+  const Ran ran = run({"layouts", "--page", "all.html"});
+  EXPECT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_THAT(read("all.html"), AllOf(HasSubstr("Elevation of pagoda"), HasSubstr("0.598 s"),
+                                      HasSubstr("column_reinforcement"), HasSubstr("image/svg+xml")));
+  EXPECT_EQ(run({"layouts", "--page", "all.html"}).exit_code, 2) << "nothing is written over";
+  EXPECT_EQ(run({"layouts", "--page", "all.png"}).exit_code, 2);
+}
+
 TEST_F(LayoutCommands, DrawTakesValuesByPosition) {
   const Ran ran =
       run({"layout", "draw", "concrete-frame", "storeys=1", "infill=all-storeys", "--out", "frame.svg"});

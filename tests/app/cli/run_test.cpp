@@ -223,7 +223,7 @@ TEST_F(Interrupted, ABatchSystemThatEndsARunGetsAPartialResultToo) {
 }
 
 TEST_F(Interrupted, AKilledRunLeavesTheLastThatWasSaved) {
-  const Ran ran = interrupted_run(SIGKILL, " 20 % ", {"--set", "output.save_every=0 s"});
+  const Ran ran = interrupted_run(SIGKILL, " 80 % ", {"--set", "output.save_every=0.1 s"});
   ASSERT_EQ(ran.signal, SIGKILL) << ran.out;
   const RunResult result = read_results(folder() / "out/deep/results.h5");
   EXPECT_TRUE(result.partial);
