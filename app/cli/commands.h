@@ -19,8 +19,9 @@ enum ExitCode : int {
 
 /// A film of a building's run.
 struct FilmChoice {
-  std::string path;   // .mp4; empty: none
-  double slow = 1.0;  // 4: a second of the run takes four
+  std::string path;                     // .mp4; empty: none
+  double slow = 1.0;                    // 4: a second of the run takes four
+  std::string colour = "displacement";  // of the blocks: one of block_colours()
 };
 
 struct RunOptions {

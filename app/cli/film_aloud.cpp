@@ -51,6 +51,7 @@ void film_aloud(const RunResult& run, const FilmChoice& film, const Terminal& te
   if (film.path.empty()) return;
   FilmOptions options;
   options.slow = film.slow;
+  options.colour = block_colour_named(film.colour);
   const fs::path path = film.path;
   say_rate(run, options, terminal);
   terminal.line(fmt::format("Drawing {} frames of the film ...", film_frames(run, options).size()),

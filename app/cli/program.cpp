@@ -5,6 +5,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/record_tools.h"
+#include "app/report/block_colour.h"
 #include "app/study/prepare.h"
 #include "app/study/version.h"
 #include "seismic/input_error.h"
@@ -50,6 +51,9 @@ void add_film(CLI::App& command, FilmChoice& film) {
   command.add_option("--slow", film.slow, "How many times slower than the run the film goes (1)")
       ->needs(path)
       ->check(CLI::Range(0.1, 1000.0));
+  command.add_option("--colour", film.colour, "What the film's colours tell (displacement)")
+      ->needs(path)
+      ->check(CLI::IsMember(block_colours()));
 }
 
 void add_run(CLI::App& app, Request& r) {

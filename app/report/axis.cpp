@@ -43,4 +43,12 @@ Range padded(Range range, double share, double flat) {
   return {range.low - share * range.span(), range.high + share * range.span()};
 }
 
+double round_up(double value) {
+  const double decade = std::pow(10.0, std::floor(std::log10(value)));
+  for (const double factor : {1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0}) {
+    if (factor * decade >= value * (1 - 1e-9)) return factor * decade;
+  }
+  return 10.0 * decade;
+}
+
 }  // namespace dougong::app

@@ -9,6 +9,8 @@ namespace dougong::app {
 double round_step(double span, int count);
 /// The largest of 1, 2, 5 times a power of ten not above the value.
 double round_below(double value);
+/// The end of a colour scale: the next number above of one or one and a half digits.
+double round_up(double value);
 
 struct Range {
   double low = 0.0, high = 0.0;

@@ -36,6 +36,14 @@ Image evened(const Image& image) {
   return even;
 }
 
+void colour_by(const RunResult& run, const std::vector<Frame>& frames, BlockColour colour, SceneView& view) {
+  std::vector<std::size_t> steps;
+  for (const Frame& frame : frames) steps.push_back(frame.step);
+  const ColourScale scale = colour_scale(run, colour, steps);
+  view.colour = colour, view.largest = scale.largest;
+  view.unit = scale.unit, view.meaning = scale.meaning;
+}
+
 void run_ffmpeg(const fs::path& folder, double frames_a_second) {
   const bool ended_well =
       run_in(folder,
@@ -61,8 +69,9 @@ std::vector<Frame> film_frames(const RunResult& run, const FilmOptions& options)
   return frames;
 }
 
-SceneView film_view(const RunResult& run, const std::vector<Frame>& frames) {
+SceneView film_view(const RunResult& run, const std::vector<Frame>& frames, BlockColour colour) {
   SceneView view = view_of(run, frames);
+  if (colour != BlockColour::displacement) colour_by(run, frames, colour, view);
   view.scale = 1.0;
   view.width = has_instruments(run) ? film_width - drift_bars_width : film_width;
   return view;
@@ -94,7 +103,7 @@ std::size_t write_film_frames(const RunResult& run, const FilmOptions& options, 
   make_directory(folder);
   const std::vector<Frame> frames = film_frames(run, options);
   if (frames.empty()) return 0;
-  const SceneView view = film_view(run, frames);
+  const SceneView view = film_view(run, frames, options.colour);
   for (std::size_t i = 0; i < frames.size(); ++i)
     write_file(folder / fmt::format("frame{:06d}.png", i), png_of(film_image(run, frames[i], view)));
   return frames.size();

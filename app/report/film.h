@@ -13,6 +13,7 @@ namespace dougong::app {
 struct FilmOptions {
   double frames_a_second = 50.0;
   double slow = 1.0;  // 4: a second of the run takes four
+  BlockColour colour = BlockColour::displacement;
 };
 
 /// The output times that are nearest to the frames; every frame with what just happened.
@@ -20,7 +21,8 @@ std::vector<Frame> film_frames(const RunResult& run, const FilmOptions& options)
 /// One frame. `view`: of all of them. Of even sizes, which the usual encoding needs.
 Image film_image(const RunResult& run, const Frame& frame, const SceneView& view);
 /// What all frames share.
-SceneView film_view(const RunResult& run, const std::vector<Frame>& frames);
+SceneView film_view(const RunResult& run, const std::vector<Frame>& frames,
+                    BlockColour colour = BlockColour::displacement);
 
 /// True where ffmpeg is on the PATH.
 bool can_film();

@@ -66,15 +66,6 @@ double magnification_for(double movement, double size) {
   return round_below(magnified_motion * size / movement);
 }
 
-/// The end of a colour scale: the next number of one or one and a half digits.
-double round_up(double value) {
-  const double decade = std::pow(10.0, std::floor(std::log10(value)));
-  for (const double factor : {1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0}) {
-    if (factor * decade >= value * (1 - 1e-9)) return factor * decade;
-  }
-  return 10.0 * decade;
-}
-
 // ---- the world ----
 
 void draw_hatch(Drawing& drawing, Vec2 from, Vec2 to, double scale) {
@@ -158,8 +149,8 @@ void draw_block(Drawing& drawing, const DrawnShape& described, const Pose& pose,
     drawing.line(camera.to_pixels(pose.position), last[0], outline_width * scale, ink::outline);
 }
 
-Colour displacement_colour(double distance, double largest) {
-  return mixed(viridis(1.0 - (largest > 0 ? distance / largest : 0.0)), ink::white, lightened);
+Colour scale_colour(double value, double largest) {
+  return mixed(viridis(1.0 - (largest > 0 ? std::min(1.0, value / largest) : 0.0)), ink::white, lightened);
 }
 
 void draw_undeformed(Drawing& drawing, const RunResult& run, const Camera& camera, double scale) {
@@ -237,7 +228,7 @@ Image world_image(const RunResult& run, const Frame& frame, const SceneView& vie
   if (run.model.trails) draw_trails(drawing, run, frame, camera, view.scale);
   if (view.magnification != 1.0) draw_undeformed(drawing, run, camera, view.scale);
   for (std::size_t i = 0; i < std::min(run.trajectory.blocks, run.model.blocks.size()); ++i) {
-    const Colour fill = displacement_colour(moved(run.trajectory, frame.step, i), view.largest);
+    const Colour fill = scale_colour(coloured_by(run, view.colour, frame.step, i), view.largest);
     draw_block(drawing, run.model.blocks[i], pose_at(run.trajectory, frame.step, i, view.magnification),
                camera, fill, view.scale);
   }
@@ -294,21 +285,25 @@ bool stacked(const Image& image, double scale) {
   return image.width < narrow * scale;
 }
 
+/// "250 mm", "1.2 m/s".
+std::string end_of_scale(const SceneView& view) {
+  if (!view.unit.empty()) return fmt::format("{:.4g} {}", view.largest, view.unit);
+  return view.largest >= 1.0 ? fmt::format("{:.4g} m", view.largest)
+                             : fmt::format("{:.4g} mm", 1e3 * view.largest);
+}
+
 /// "0 .. 250 mm" as a coloured bar with its meaning.
-void draw_legend(Image& image, const Fonts& fonts, double right, double y, const std::string& meaning,
-                 double largest, double scale) {
+void draw_legend(Image& image, const Fonts& fonts, double right, double y, const SceneView& view) {
+  const double scale = view.scale;
   const int width = px(legend_width, scale), left = static_cast<int>(right) - width;
   for (int i = 0; i < width; ++i) {
-    image.fill_rectangle(left + i, static_cast<int>(y), 1, px(8, scale), displacement_colour(i, width - 1));
+    image.fill_rectangle(left + i, static_cast<int>(y), 1, px(8, scale), scale_colour(i, width - 1));
   }
-  const bool in_metres = largest >= 1.0;
   const double below = y + 20 * scale;
   fonts.small.draw(image, "0", left, below, ink::text);
-  fonts.small.draw(image,
-                   fmt::format("{:.4g} {}", in_metres ? largest : 1e3 * largest, in_metres ? "m" : "mm"),
-                   right, below, ink::text, Align::right);
-  if (stacked(image, scale)) return fonts.small.draw(image, meaning, left, y - 6 * scale, ink::text);
-  fonts.small.draw(image, meaning, left - 9 * scale, y + 8 * scale, ink::text, Align::right);
+  fonts.small.draw(image, end_of_scale(view), right, below, ink::text, Align::right);
+  if (stacked(image, scale)) return fonts.small.draw(image, view.meaning, left, y - 6 * scale, ink::text);
+  fonts.small.draw(image, view.meaning, left - 9 * scale, y + 8 * scale, ink::text, Align::right);
 }
 
 std::string camera_note(const SceneView& view) {
@@ -331,10 +326,10 @@ void draw_footer(Image& image, const Fonts& fonts, const SceneView& view, double
   draw_scale_bar(image, fonts, left, y + 2 * s, pixels_per_metre, s);
   double note_line = y + 34 * s;
   if (stacked(image, s)) {
-    draw_legend(image, fonts, left + legend_width * s, y + 40 * s, view.meaning, view.largest, s);
+    draw_legend(image, fonts, left + legend_width * s, y + 40 * s, view);
     note_line = y + 84 * s;
   } else {
-    draw_legend(image, fonts, image.width - left, y, view.meaning, view.largest, s);
+    draw_legend(image, fonts, image.width - left, y, view);
   }
   for (const std::string& line : fonts.small.wrapped(camera_note(view), image.width - 2 * left)) {
     fonts.small.draw(image, line, left, note_line, ink::quiet);

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "app/report/block_colour.h"
 #include "app/report/camera.h"
 #include "app/report/image.h"
 
@@ -19,9 +20,11 @@ namespace dougong::app {
 struct SceneView {
   Box box;                     // m
   double magnification = 1.0;  // of the displacement
-  double largest = 1.0;        // m, displacement at the end of the colour scale
+  double largest = 1.0;        // at the end of the colour scale: m, or of unit
   double scale = 2.0;          // pixels of the picture per pixel at 1x
   std::string camera = "Camera fixed to the ground.";
+  BlockColour colour = BlockColour::displacement;
+  std::string unit = "";  // of the colours; empty: a length
   std::string meaning = "displacement relative to the ground since the start";  // of the colours
   double width = 720.0;  // px at 1x, of a single picture; narrow ones stack their annotation
 };

@@ -38,6 +38,20 @@ TEST_F(Film, IsMadeAgainFromTheResultsAndSlowed) {
   EXPECT_THAT(ran.out, HasSubstr("--set output.rate=\"200 Hz\"")) << "100 output times a second are too few";
 }
 
+TEST_F(Film, TellsByColourWhatItWasAskedFor) {
+  const Surroundings around = without_ffmpeg();
+  EXPECT_EQ(run(short_run("out"), around).exit_code, 0);
+  for (const std::string colour : {"displacement", "speed", "force", "damage"})
+    EXPECT_EQ(run({"report", "out", "--film", colour + ".mp4", "--slow", "0.1", "--colour", colour}, around)
+                  .exit_code,
+              0);
+  EXPECT_NE(read("speed/frame000003.png"), read("displacement/frame000003.png"));
+  EXPECT_NE(read("speed/frame000003.png"), read("force/frame000003.png"));
+  EXPECT_NE(read("damage/frame000003.png"), read("force/frame000003.png"));
+  expect_refusal({"report", "out", "--film", "b.mp4", "--colour", "mood"}, {"--colour", "displacement"},
+                 around);
+}
+
 TEST_F(Film, WithoutFfmpegLeavesItsFramesAndSaysSo) {
   const Ran ran = run(short_run("out", {"--film", "film.mp4"}), without_ffmpeg());
   EXPECT_EQ(ran.exit_code, 0) << ran.err;
