@@ -10,6 +10,7 @@
 #include "app/study/recorder.h"
 #include "app/study/run_sheets.h"
 #include "app/study/stopwatch.h"
+#include "app/study/weight_joints.h"
 
 namespace dougong::app {
 namespace {
@@ -175,6 +176,7 @@ RunResult execute(Preparation& p, const std::string& command, const ProgressObse
   result.model = model_sheet(p);
   result.motion = motion_sheet(p.motion, p.period);
   result.settle = settle_sheet(p.settle);
+  if (p.settle.settled) result.weight_joints = weight_joints(p.building.scene, p.model, p.state);
 
   const structures::Verdict early_verdict = stands(p) ? structures::Verdict{} : verdict_before_shaking(p);
   const Stopwatch watch;
