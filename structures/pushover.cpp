@@ -121,18 +121,24 @@ class Curve {
   }
 
   void note(double multiplier) {
-    const std::size_t index = curve_.points.size();
-    std::size_t count = 0;
+    const std::size_t index = curve_.points.size(), before = curve_.events.size();
     for (std::size_t bond = 0; bond < cracked_.size(); ++bond) {
-      if (!cracked_[bond] && cracks(bond)) {
-        cracked_[bond] = true;
-        curve_.events.push_back({bond, index, how(bond)});
-      }
-      count += cracked_[bond];
+      if (cracked_[bond] || !cracks(bond)) continue;
+      cracked_[bond] = true;
+      curve_.events.push_back({bond, index, how(bond)});
     }
-    curve_.points.push_back({multiplier, displacement(), roof(), unbalanced_, count});
+    std::stable_sort(curve_.events.begin() + static_cast<std::ptrdiff_t>(before), curve_.events.end(),
+                     [&](const BondEvent& a, const BondEvent& b) { return width(a.bond) > width(b.bond); });
+    curve_.points.push_back({multiplier, displacement(), roof(), unbalanced_, curve_.events.size()});
   }
 
+  /// How far the face has opened (m).
+  double width(std::size_t bond) const {
+    const auto opened = [&](std::size_t end) {
+      return std::max(history(bond, end).widest, history(bond, end).plastic);
+    };
+    return std::max(opened(0), opened(1));
+  }
   const engine::BondHistory& history(std::size_t bond, std::size_t end) const {
     return state_.bonds.history[2 * bond + end];
   }

@@ -14,7 +14,8 @@
 // 1/stiffness of the target to reach the peak.
 //
 // A point of the curve is an equilibrium, not a promise: on the falling branch the building would go on by
-// itself under dead loads.
+// itself under dead loads. What is brittle breaks with a jolt, which may crack what is close to its strength
+// beside it.
 #pragma once
 
 #include <functional>
@@ -63,7 +64,7 @@ std::string to_string(CurveEnd end);
 
 struct CapacityCurve {
   std::vector<CapacityPoint> points;  // the first is the building at rest
-  std::vector<BondEvent> events;      // in the order in which they happened
+  std::vector<BondEvent> events;      // by point, of one point the widest first
   CurveEnd end = CurveEnd::target;
   std::string detail;  // of a run whose numbers failed
 

@@ -11,11 +11,13 @@
 #include "app/report/modes_report.h"
 #include "app/report/safe_file.h"
 #include "app/report/text.h"
+#include "app/report/weight_joints_report.h"
 #include "app/study/building_scene.h"
 #include "app/study/import_outlines.h"
 #include "app/study/prepare.h"
 #include "app/study/quantity.h"
 #include "app/study/scene_file.h"
+#include "app/study/weight_joints.h"
 
 namespace dougong::app {
 namespace {
@@ -102,6 +104,18 @@ std::string summary_line(const ModelSheet& sheet) {
                      sheet.bonded.size(), sheet.links.size(), mass_text(sheet.mass), sheet.storeys.size());
 }
 
+/// What bears the weight, the most used first.
+void print_joints(const std::vector<WeightJoint>& joints) {
+  constexpr std::size_t told = 5;
+  fmt::print("greatest compression {}; the most used of {} joints:\n", greatest_compression(joints),
+             joints.size());
+  fmt::print("{:>8}{:>10}{:>10}{:>8}{:>14}{:>13}   {}\n", "used (%)", "of", "N (kN)", "2 e/L", "compr. (kPa)",
+             "tens. (kPa)", "joint");
+  for (const auto& cells : weight_rows(joints, told))
+    fmt::print("{:>8}{:>10}{:>10}{:>8}{:>14}{:>13}   {}\n", cells[7], cells[8], cells[2], cells[4], cells[5],
+               cells[6], cells[0]);
+}
+
 }  // namespace
 
 int layouts_command(const LayoutsOptions& options) {
@@ -156,6 +170,7 @@ int layout_draw_command(const LayoutOptions& options) {
 }
 
 int layout_check_command(const LayoutOptions& options) {
+  if (!options.out.empty()) refuse_picture(options.out, "--out", options.force);
   const structures::Building building = building_of(scenario_of(options, "layout check"));
   fmt::print("{}: {}\n", building.layout, summary_line(model_sheet(building)));
   if (print_findings(building) > 0) return exit_bad_input;
@@ -167,6 +182,12 @@ int layout_check_command(const LayoutOptions& options) {
              rest.model.bond_points.size());
   if (!rest.report.settled) return exit_bad_input;
   fmt::print("period {}\n", period_of(rest));
+  const std::vector<WeightJoint> joints = weight_joints(building.scene, rest.model, rest.state);
+  print_joints(joints);
+  if (options.out.empty()) return exit_survived;
+  const DrawnFigure drawn = draw(weight_figure(model_sheet(building), joints));
+  write_file(options.out, options.out.ends_with(".svg") ? drawn.svg : drawn.png);
+  fmt::print("picture: {}\n", options.out);
   return exit_survived;
 }
 

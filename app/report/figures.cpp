@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "app/report/text.h"
+#include "app/report/weight_joints_report.h"
 #include "app/study/floor_spectra.h"
 
 namespace dougong::app {
@@ -93,6 +94,9 @@ std::string run_line(const RunResult& run) {
 
 std::vector<NamedFigure> all_figures(const RunResult& run) {
   std::vector<NamedFigure> out;
+  if (!run.weight_joints.empty())
+    out.push_back({"weight", "The building at rest; every joint coloured by how much of its limit it uses.",
+                   weight_figure(run.model, run.weight_joints)});
   add_motion(run, out);
   add_response(run, out);
   if (!run.response.roof_displacement.empty()) {

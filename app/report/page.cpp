@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/report/page_frame.h"
+#include "app/report/weight_joints_report.h"
 
 namespace dougong::app {
 
@@ -15,6 +16,7 @@ Html figure_named(const std::vector<Picture>& pictures, std::string_view name, s
 
 std::string report_page(const RunResult& run, const std::vector<Picture>& pictures) {
   const std::vector<PagePart> parts{{"model", "The building", page_model(run, pictures)},
+                                    {"weight", "Under its own weight", page_weight(run, pictures)},
                                     {"motion", "The ground motion", page_motion(run, pictures)},
                                     {"response", "The response", page_response(run, pictures)},
                                     {"screening", "Against the limits of standards", page_screening(run)},

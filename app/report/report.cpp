@@ -13,6 +13,7 @@
 #include "app/report/screening_text.h"
 #include "app/report/summary.h"
 #include "app/report/text.h"
+#include "app/report/weight_joints_report.h"
 #include "app/study/floor_spectra.h"
 
 namespace dougong::app {
@@ -30,6 +31,7 @@ void write_tables(const RunResult& run, Output& output) {
   output.write("energy.csv", energy_csv(run));
   if (!run.model.bonded.empty()) output.write("damage.csv", damage_csv(run));
   output.write("motion.csv", motion_csv(run));
+  if (!run.weight_joints.empty()) output.write("weight_joints.csv", weight_joints_csv(run.weight_joints));
   if (const FloorSpectra spectra = floor_spectra(run); !spectra.floors.empty())
     output.write("floor_spectra.csv", floor_spectra_csv(spectra));
   if (!run.screening.checks.empty()) output.write("screening.csv", screening_csv(run.screening));

@@ -95,6 +95,23 @@ void walk_motion(A& a, R& motion) {
   a.field("spectrum_at_period", "m/s2", motion.spectrum_at_period);
 }
 
+template <class A, class J>
+void walk_weight(A& a, J& joints) {
+  a.table("joints", joints, [&] {
+    a.column("name", "", joints, &WeightJoint::name);
+    a.column("bonded", "", joints, &WeightJoint::bonded);
+    a.column("start", "m", joints, &WeightJoint::start);
+    a.column("end", "m", joints, &WeightJoint::end);
+    a.column("normal", "N", joints, &WeightJoint::normal);
+    a.column("shear", "N", joints, &WeightJoint::shear);
+    a.column("eccentricity", "1", joints, &WeightJoint::eccentricity);
+    a.column("compression", "Pa", joints, &WeightJoint::compression);
+    a.column("tension", "Pa", joints, &WeightJoint::tension);
+    a.column("used", "1", joints, &WeightJoint::used);
+    a.column("limit", "", joints, &WeightJoint::limit);
+  });
+}
+
 template <class A, class R>
 void walk_trajectory(A& a, R& trajectory) {
   a.field("times", "s", trajectory.times);
@@ -311,6 +328,7 @@ void walk_run(A& a, Run& run) {
     a.field("greatest_movement", "m", run.settle.greatest_movement);
     a.field("unbalanced_ratio", "1", run.settle.unbalanced_ratio);
   });
+  a.optional_group("weight", [&] { walk_weight(a, run.weight_joints); });
   a.group("trajectory", [&] { walk_trajectory(a, run.trajectory); });
   a.group("response", [&] { walk_response(a, run.response); });
   a.optional_group("collapse", [&] { walk_collapse(a, run.collapse); });

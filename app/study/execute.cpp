@@ -10,6 +10,7 @@
 #include "app/study/recorder.h"
 #include "app/study/run_sheets.h"
 #include "app/study/stopwatch.h"
+#include "app/study/weight_joints.h"
 
 namespace dougong::app {
 namespace {
@@ -159,6 +160,7 @@ RunResult begun(const Preparation& p, const std::string& command) {
   result.model = model_sheet(p);
   result.motion = motion_sheet(p.motion, p.period);
   result.settle = settle_sheet(p.settle);
+  if (p.settle.settled) result.weight_joints = weight_joints(p.building.scene, p.model, p.state);
   if (!stands(p)) result.verdict = verdict_before_shaking(p);
   return result;
 }

@@ -122,6 +122,19 @@ struct SettleSheet {
   double unbalanced_ratio = 0.0;   // largest net force over the body's weight
 };
 
+/// What a joint, a bonded face or one where two blocks touch, bears under the weight alone, before the motion
+/// (structures/self_weight.h).
+struct WeightJoint {
+  std::string name;  // "S1.column.left / ground"
+  bool bonded = false;
+  engine::Vec2 start, end;                  // m, of the face
+  double normal = 0.0, shear = 0.0;         // N, compression; N
+  double eccentricity = 0.0;                // -, of half its length
+  double compression = 0.0, tension = 0.0;  // Pa, the greatest
+  double used = 0.0;                        // of its nearest limit
+  std::string limit = {};                   // which that is
+};
+
 struct Numerics {
   std::string integrator;
   double step = 0.0;   // s, smallest used
@@ -182,6 +195,7 @@ struct RunResult {
   ModelSheet model;
   MotionSheet motion;
   SettleSheet settle;
+  std::vector<WeightJoint> weight_joints;  // the most used first; empty where it did not settle
   structures::Trajectory trajectory;
   structures::Response response;
   structures::Collapse collapse;  // nothing happened where the numbers failed

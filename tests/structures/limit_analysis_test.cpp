@@ -4,6 +4,7 @@
 
 #include "structures/collapse_multiplier.h"
 #include "structures/layouts/layout.h"
+#include "structures/pushover.h"
 #include "tests/engine/reference.h"
 #include "tests/scenes/arches.h"
 #include "tests/scenes/pattern_wall.h"
@@ -64,6 +65,23 @@ void check_wall(int number, double associative, double young_modulus) {
 TEST(DryWall, FallsWhereLimitAnalysisSays) {
   check_wall(1, 0.64286, 1e8);
   check_wall(2, 0.58000, 1e8);
+}
+// C01, wall 1, pushed by forces under whole gravity: of dry rigid blocks the multiplier is that of the tilt.
+TEST(DryWall, PushedFallsAsWhenTilted) {
+  const engine::Scene scene = scenes::pattern_wall(scenes::ferris_wall(1), 0.65, 1e8);
+  const engine::Model model = engine::compile(scene);
+  std::vector<double> weights;
+  for (std::size_t i = 0; i < model.body_count; ++i) weights.push_back(model.mass[i] * 9.81);
+  TiltOptions options;
+  options.precision = 0.01;
+  options.trial.hold_time = 2.0;
+  const auto push = find_collapse_multiplier(
+      scene, [&](double multiplier) { return pushed(scene, weights, multiplier); }, options);
+  dougong::testing::report("C01", "wall 1 pushed, stands", 0.64286, push.stands, push.stands / 0.64286 - 1.0,
+                           0.02);
+  EXPECT_GE(push.falls, 0.85 * 0.64286);
+  const auto tilt = find_collapse_multiplier(scene, options);
+  EXPECT_NEAR(push.stands / tilt.stands, 1.0, 0.03);
 }
 TEST(DryWall, FallsWhereLimitAnalysisSaysWithOpeningsToo) {
   check_wall(3, 0.40369, 1e8);

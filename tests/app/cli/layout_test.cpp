@@ -38,6 +38,16 @@ TEST_F(LayoutCommands, CheckSettlesAndSaysThePeriod) {
                              HasSubstr("0 of 56 bond points"), HasSubstr("period 0.2")));
 }
 
+// Six drums of 1 m2 and 2600 kg: 6 x 2600 x 9.80665 / 1 m2 at the foot.
+TEST_F(LayoutCommands, CheckSaysWhatTheJointsBear) {
+  const Ran ran = run({"layout", "check", "column", "--out", "column.svg"});
+  EXPECT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_THAT(ran.out, AllOf(HasSubstr("greatest compression 0.153 MPa in S1.drum / ground"),
+                             HasSubstr("the most used of 6 joints"), HasSubstr("153.0")));
+  EXPECT_THAT(read("column.svg"), HasSubstr("Use of the joints"));
+  EXPECT_EQ(run({"layout", "check", "column", "--out", "column.svg"}).exit_code, 2);
+}
+
 TEST_F(LayoutCommands, ModesSaysPeriodsMassesAndShapes) {
   const Ran ran =
       run({"layout", "modes", "concrete-frame", "storeys=2", "bays=1", "--count", "3", "--out", "out"},

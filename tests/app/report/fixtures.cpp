@@ -194,6 +194,9 @@ void add_energy(RunResult& run, const Shaking& s) {
 
 void add_paperwork(RunResult& run, const Shaking& s) {
   run.settle = {true, 2.0, 2.1e-5, 3.2e-6};
+  run.weight_joints = {
+      {"S1.column.left / ground", false, {-3, 0}, {-2.7, 0}, 3.4e5, 120, 0.06, 1.3e6, 0, 0.06, "turning"},
+      {"S1.slab / S1.column.left", true, {-3, 2.8}, {-2.7, 2.8}, 2.5e5, -40, 0.02, 9e5, 0, 0.01, "shear"}};
   Numerics& n = run.numerics;
   n.integrator = "velocity Verlet";
   n.step = 2e-5;

@@ -35,10 +35,20 @@ Comparison plain(const Arguments&) {
 }
 
 constexpr Case cases[] = {
-    {"C01", "c01-dry-walls", plain<dry_walls>},       {"C02", "c02-arch-thickness", plain<arch_thickness>},
-    {"C03", "c03-tilting-arch", plain<tilting_arch>}, {"C04", "c04-drum-column", plain<drum_column>},
-    {"C09", "c09-stick-slip", plain<stick_slip>},     {"M01", "m01-granite-boulder", granite_boulder},
-    {"M02", "m02-brick-array", brick_array},          {"M04", "m04-rocking-restitution", rocking_restitution},
+    {"C01", "c01-dry-walls", plain<dry_walls>},
+    {"C02", "c02-arch-thickness", plain<arch_thickness>},
+    {"C03", "c03-tilting-arch", plain<tilting_arch>},
+    {"C04", "c04-drum-column", plain<drum_column>},
+    {"C05", "c05-single-degree", single_degree},
+    {"C06", "c06-five-storeys", five_storey_frame},
+    {"C07", "c07-newmark-tables", plain<newmark_tables>},
+    {"C08", "c08-steel-frame", plain<steel_frame>},
+    {"M03", "m03-laboratory-frame", plain<laboratory_frame>},
+    {"M05", "m05-casks", casks},
+    {"C09", "c09-stick-slip", plain<stick_slip>},
+    {"M01", "m01-granite-boulder", granite_boulder},
+    {"M02", "m02-brick-array", brick_array},
+    {"M04", "m04-rocking-restitution", rocking_restitution},
 };
 
 int run(const Case& c, const std::filesystem::path& folder, const Arguments& more) {
