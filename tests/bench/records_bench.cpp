@@ -8,6 +8,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <numbers>
@@ -22,8 +23,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Of processor time: what else runs on the machine counts little.
 template <class Work>
-double microseconds(const Work& work) {
+double processor_time(const Work& work) {
+  const std::clock_t start = std::clock();
+  work();
+  return 1e6 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+}
+
+template <class Work>
+double elapsed_time(const Work& work) {
   const auto start = std::chrono::steady_clock::now();
   work();
   return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
@@ -144,37 +153,54 @@ void knet_set(benchmark::State& bench) {
   const auto ours = [&] { benchmark::DoNotOptimize(seismic::condition(seismic::read_record(stem))); };
   const auto reading = [&] { benchmark::DoNotOptimize(seismic::read_record(stem)); };
   compare(bench,
-          {{"plain", [&] { return microseconds(plain); }},
-           {"dougong", [&] { return microseconds(ours); }},
-           {"reading_alone", [&] { return microseconds(reading); }}},
+          {{"plain", [&] { return processor_time(plain); }},
+           {"dougong", [&] { return processor_time(ours); }},
+           {"reading_alone", [&] { return processor_time(reading); }}},
           60);
 }
 
+const std::vector<double> periods = {0.2, 0.5, 1.0, 2.0};  // s
+
+// A hundred copies of a shipped record, for as long as it lives.
+struct Hundred {
+  fs::path folder = fs::temp_directory_path() / fmt::format("hundred-{}", ::getpid());
+  std::vector<fs::path> files;
+  Hundred() {
+    fs::create_directories(folder);
+    for (int i = 0; i < 100; ++i)
+      fs::copy_file(fs::path(DOUGONG_RECORDS_DIRECTORY) / "wenchuan-synthetic-EW.at2",
+                    folder / fmt::format("r{:02}.at2", i), fs::copy_options::overwrite_existing);
+    files = app::files_below(folder);
+  }
+  Hundred(const Hundred&) = delete;
+  ~Hundred() { fs::remove_all(folder); }
+  void list(std::size_t jobs) const { benchmark::DoNotOptimize(app::list_records(files, periods, jobs)); }
+};
+
 void hundred_records(benchmark::State& bench) {
-  const fs::path folder = fs::temp_directory_path() / fmt::format("hundred-{}", ::getpid());
-  fs::create_directories(folder);
-  for (int i = 0; i < 100; ++i)
-    fs::copy_file(fs::path(DOUGONG_RECORDS_DIRECTORY) / "wenchuan-synthetic-EW.at2",
-                  folder / fmt::format("r{:02}.at2", i), fs::copy_options::overwrite_existing);
-  const std::vector<double> periods = {0.2, 0.5, 1.0, 2.0};
-  const auto files = app::files_below(folder);
+  const Hundred records;
   const auto plain = [&] {
-    for (const fs::path& file : files)
+    for (const fs::path& file : records.files)
       benchmark::DoNotOptimize(summarise_plainly(read_at2_plainly(file), periods));
   };
-  const auto on = [&](std::size_t jobs) {
-    return microseconds([&] { benchmark::DoNotOptimize(app::list_records(files, periods, jobs)); });
-  };
   compare(bench,
-          {{"plain", [&] { return microseconds(plain); }},
-           {"one_thread", [&] { return on(1); }},
-           {"two_threads", [&] { return on(2); }}},
+          {{"plain", [&] { return processor_time(plain); }},
+           {"one_thread", [&] { return processor_time([&] { records.list(1); }); }}},
+          8);
+}
+
+// Elapsed time, so only on a machine that is otherwise idle does it tell.
+void hundred_records_on_two_cores(benchmark::State& bench) {
+  const Hundred records;
+  compare(bench,
+          {{"one_thread", [&] { return elapsed_time([&] { records.list(1); }); }},
+           {"two_threads", [&] { return elapsed_time([&] { records.list(2); }); }}},
           12);
-  fs::remove_all(folder);
 }
 
 BENCHMARK(knet_set)->Iterations(1)->Unit(benchmark::kMillisecond);
 BENCHMARK(hundred_records)->Iterations(1)->Unit(benchmark::kMillisecond);
+BENCHMARK(hundred_records_on_two_cores)->Iterations(1)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace dougong::bench
