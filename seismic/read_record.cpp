@@ -119,13 +119,19 @@ Channels read_archive(const fs::path& path, const std::string& bytes, const Read
 
 // --- files -----------------------------------------------------------------------------------------
 
+// A name alone does not make files components of one motion: what they say of themselves must agree.
+bool belong_together(const Record& a, const Record& b) {
+  return a.provenance.event == b.provenance.event && station_of(a) == station_of(b) &&
+         a.provenance.format == b.provenance.format;
+}
+
 void add_siblings(const fs::path& path, const Format& format, const ReadOptions& options,
                   Channels& channels) {
   for (const fs::path& sibling : format.siblings(path)) {
     std::error_code failed;
     if (sibling == path || !fs::is_regular_file(sibling, failed)) continue;
     for (Record& record : read_bytes_as_record(sibling.string(), read_bytes(sibling), options))
-      channels.records.push_back(std::move(record));
+      if (belong_together(channels.records.front(), record)) channels.records.push_back(std::move(record));
   }
 }
 

@@ -102,7 +102,15 @@ struct ImportOptions {
 /// Outlines drawn elsewhere, written as a scene file that lists its storeys.
 int layout_import_command(const ImportOptions& options);
 
-int records_command();
+struct RecordListOptions {
+  std::string folder;                // empty: the shipped motions
+  std::vector<std::string> periods;  // of the spectral accelerations: "0.5 s"
+  std::string near_period, sort, csv;
+  std::size_t jobs = 0;  // files at a time; 0: one a processor
+  bool json = false, force = false;
+};
+/// The shipped motions, or every recording below a folder, with what they measure.
+int records_command(const RecordListOptions& options);
 
 struct RecordInfoOptions {
   std::vector<std::string> more;  // further files: other components of the station

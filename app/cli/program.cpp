@@ -35,6 +35,7 @@ struct Request {
   LayoutsOptions layouts;
   LayoutOptions layout;
   ImportOptions import;
+  RecordListOptions records;
   RecordInfoOptions record;
   RecordConvertOptions convert;
   ReportOptions report;
@@ -233,10 +234,27 @@ void add_convert(CLI::App& record, Request& r) {
   convert->callback([&r] { r.command = [&r] { return record_convert_command(r.convert); }; });
 }
 
+void add_record_list(CLI::App& app, Request& r) {
+  CLI::App* list = app.add_subcommand("records", "List the shipped ground motions, or those of a folder");
+  RecordListOptions& o = r.records;
+  list->add_option("folder", o.folder,
+                   "Folder with recordings, below it too; without one the shipped motions");
+  list->add_option("--periods", o.periods, "Of the spectral accelerations, 5 % (0.2 s,0.5 s,1 s,2 s)")
+      ->delimiter(',');
+  list->add_option("--near-period", o.near_period,
+                   "First the motions whose mean period is nearest to this one: \"0.5 s\"");
+  list->add_option("--sort", o.sort,
+                   "name, pga, pgv, d5-95, dt, length, mean-period, psa (the first period)");
+  list->add_option("--csv", o.csv, "Write the table as CSV");
+  list->add_option("-j,--jobs", o.jobs, "Files at a time (one a processor)")->check(CLI::Range(1, 1024));
+  list->add_flag("--json", o.json, "As JSON");
+  list->add_flag("--force", o.force, "Write over an existing file");
+  list->footer("Example: dougong records recordings --near-period \"0.5 s\" --csv recordings.csv");
+  list->callback([&r] { r.command = [&r] { return records_command(r.records); }; });
+}
+
 void add_records(CLI::App& app, Request& r) {
-  CLI::App* list = app.add_subcommand("records", "List the shipped ground motions");
-  list->footer("Example: dougong records");
-  list->callback([&r] { r.command = records_command; });
+  add_record_list(app, r);
   CLI::App* record = app.add_subcommand("record", "One ground motion");
   record->require_subcommand(1);
   record->footer("Example: dougong record info station.AT2");

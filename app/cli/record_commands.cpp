@@ -93,24 +93,6 @@ std::filesystem::path records_directory() {
   return DOUGONG_RECORDS_DIRECTORY;
 }
 
-int records_command() {
-  for (const seismic::CatalogueEntry& entry : seismic::read_catalogue(records_directory())) {
-    fmt::print("{} (or {}): {}\n", entry.id, entry.alias, entry.title);
-    fmt::print("  {}{:.4g} s every {:.4g} s\n", entry.synthetic ? "SYNTHETIC, not a recording; " : "",
-               entry.duration, entry.interval);
-    for (const seismic::CatalogueFile& file : entry.files)
-      fmt::print(
-          "  {:<4}PGA {:.3f} g   PGV {:.3f} m/s   Arias {:.2f} m/s   D5-95 {:.1f} s   PSa(0.5 s) {:.3f} g   "
-          "{}\n",
-          file.component, file.pga / seismic::standard_gravity, file.pgv, file.arias, file.d5_95,
-          file.psa_0_5 / seismic::standard_gravity, file.name);
-    if (!entry.also.empty()) fmt::print("  the same as {}\n", fmt::join(entry.also, ", "));
-    fmt::print("  {}\n\n", entry.made_by);
-  }
-  fmt::print("Any file: dougong record info FILE\n");
-  return exit_survived;
-}
-
 int record_info_command(const RecordInfoOptions& options) {
   const AskedChannels asked = read_asked_channels(options);
   const seismic::Channels& set = asked.channels;

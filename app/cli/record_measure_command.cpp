@@ -3,6 +3,9 @@
 #include "app/cli/commands.h"
 #include "app/cli/record_output.h"
 #include "app/cli/record_tools.h"
+#include "app/report/csv.h"
+#include "app/report/safe_file.h"
+#include "app/report/text.h"
 #include "seismic/measures/instrumental_intensity.h"
 #include "seismic/measures/rotated.h"
 
@@ -104,9 +107,19 @@ void print_group(const Group& group) {
     fmt::print("  {:<20}{:>14.7g} {:<6}{}\n", m.name, m.value, m.unit, m.meaning);
 }
 
+std::string csv_of_groups(const std::vector<Group>& groups) {
+  std::string out = "of,measure,value,unit,meaning\n";
+  for (const Group& group : groups)
+    for (const Measure& m : group.measures)
+      out += fmt::format("{},{},{},{},{}\n", csv_text(group.name), csv_text(m.name), exact(m.value), m.unit,
+                         csv_text(m.meaning));
+  return out;
+}
+
 }  // namespace
 
 int record_measure_command(const MeasureOptions& o) {
+  check_new_file(o.csv, o.force);
   const std::vector<Group> groups = groups_of(o, choice_of(o));
   ordered_json json = ordered_json::array();
   for (const Group& group : groups) {
@@ -117,6 +130,7 @@ int record_measure_command(const MeasureOptions& o) {
     json.push_back({{"of", group.name}, {"measures", values}});
   }
   if (o.json) print_json({{"groups", json}});
+  if (!o.csv.empty()) write_file(o.csv, csv_of_groups(groups));
   return exit_survived;
 }
 

@@ -57,6 +57,23 @@ std::string histories_csv(const RecordSheet& sheet) {
       {times, h.acceleration, h.velocity, h.displacement, seismic::husid(h.acceleration, h.interval)});
 }
 
+// The peaks that the sheet marks.
+nlohmann::ordered_json json_of(const RecordSheet& sheet, const std::string& picture, const std::string& csv) {
+  const seismic::GroundHistory& h = sheet.history;
+  const auto peak = [&](const std::vector<double>& values) {
+    const seismic::Peak top = seismic::peak(values, h.interval);
+    return nlohmann::ordered_json{{"value", values[top.index]}, {"time_s", top.time}};
+  };
+  return {{"picture", picture},
+          {"csv", csv.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(csv)},
+          {"title", sheet.title},
+          {"dimensionless", sheet.dimensionless},
+          {"acceleration_m_s2", peak(h.acceleration)},
+          {"velocity_m_s", peak(h.velocity)},
+          {"displacement_m", peak(h.displacement)},
+          {"d5_95_s", sheet.rise_end - sheet.rise_start}};
+}
+
 }  // namespace
 
 int record_plot_command(const PlotOptions& o) {
@@ -67,7 +84,10 @@ int record_plot_command(const PlotOptions& o) {
   const RecordSheet sheet = sheet_of(motion_of(o.source), damping);
   if (!o.csv.empty()) write_file(o.csv, histories_csv(sheet));
   write_picture(picture, record_figure(sheet));
-  fmt::print("{}\n", picture);
+  if (o.json)
+    print_json(json_of(sheet, picture, o.csv));
+  else
+    fmt::print("{}\n", picture);
   return exit_survived;
 }
 

@@ -81,6 +81,8 @@ void add_measure(CLI::App& record, std::function<int()>& chosen) {
   app->add_option("--cav-threshold", o->standard_threshold, "Of the standardised CAV (0.025 g)");
   app->add_option("--period", o->period, "First period of a building: its PSa and average Sa");
   app->add_flag("--json", o->json, "As JSON");
+  app->add_option("--csv", o->csv, "Write them as CSV");
+  app->add_flag("--force", o->force, "Write over an existing file");
   app->footer("Example: dougong record measure tohoku --period \"0.5 s\"");
 }
 
@@ -108,6 +110,7 @@ void add_plot(CLI::App& record, std::function<int()>& chosen) {
   app->add_option("--out", o->out, "PNG or SVG file (NAME.png in the current folder)");
   app->add_option("--csv", o->csv, "Write the histories as CSV");
   app->add_flag("--force", o->force, "Write over existing files");
+  app->add_flag("--json", o->json, "What was drawn and its peaks, as JSON");
   app->footer("Example: dougong record plot kobe --component NS --out kobe.svg");
 }
 

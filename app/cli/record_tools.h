@@ -28,8 +28,8 @@ int record_spectrum_command(const SpectrumOptions& options);
 
 struct MeasureOptions {
   RecordSource source;
-  std::string damping, threshold, standard_threshold, period;
-  bool json = false;
+  std::string damping, threshold, standard_threshold, period, csv;
+  bool json = false, force = false;
 };
 /// Every measure of every component, of the pair and of the station.
 int record_measure_command(const MeasureOptions& options);
@@ -44,7 +44,7 @@ int record_process_command(const ProcessOptions& options);
 struct PlotOptions {
   RecordSource source;
   std::string damping, out, csv;
-  bool force = false;
+  bool json = false, force = false;
 };
 int record_plot_command(const PlotOptions& options);
 

@@ -125,7 +125,7 @@ std::string write_record_csv(std::span<const Record> components) {
   for (std::size_t k = 0; k < components.front().acceleration.size(); ++k) {
     fmt::format_to(std::back_inserter(out), "{:.10g}", interval * static_cast<double>(k));
     for (const Record& record : components)
-      fmt::format_to(std::back_inserter(out), ",{}", record.acceleration[k]);
+      fmt::format_to(std::back_inserter(out), ",{}", record.acceleration[k] + 0.0);  // no "-0"
     out += '\n';
   }
   return out;

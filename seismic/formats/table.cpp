@@ -15,6 +15,7 @@
 #include "seismic/formats/rec_shape.h"
 #include "seismic/formats/record_csv.h"
 #include "seismic/formats/sac.h"
+#include "seismic/formats/sibling_names.h"
 #include "seismic/formats/smc.h"
 #include "seismic/formats/unam.h"
 #include "seismic/formats/volumes.h"
@@ -39,7 +40,7 @@ std::span<const Format> formats() {
       Format{"knet", "K-NET/KiK-net ASCII", is_knet, one<read_knet>, knet_siblings},
       Format{"knet-csv", "K-NET/KiK-net CSV", is_knet_csv, read_knet_csv},
       Format{"record-csv", "Dougong CSV", is_record_csv, read_record_csv},
-      Format{"csmnc", "CSMNC uncorrected", is_csmnc, one<read_csmnc>},
+      Format{"csmnc", "CSMNC uncorrected", is_csmnc, one<read_csmnc>, sibling_names},
       Format{"rec", "normalised .rec shape", is_rec_shape, one<read_rec_shape>},
       Format{"dyna", "DYNA 1.2", is_dyna, one<read_dyna>, dyna_siblings},
       Format{"nsmn", "NSMN text", is_nsmn, read_nsmn},
@@ -54,7 +55,7 @@ std::span<const Format> formats() {
       Format{"smc", "USGS SMC", is_smc, one<read_smc>},
       Format{"cwa", "CWA Taiwan", is_cwa, read_cwa},
       Format{"unam", "UNAM", is_unam, read_unam},
-      Format{"peer-at2", "PEER AT2", is_peer_at2, one<read_peer_at2>},
+      Format{"peer-at2", "PEER AT2", is_peer_at2, one<read_peer_at2>, sibling_names},
       Format{"columns", "plain columns", is_columns, read_columns},
   };
   return table;

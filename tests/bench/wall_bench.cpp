@@ -17,8 +17,8 @@ std::shared_ptr<const seismic::GroundMotion> strong_window() {
   app::RecordChoice choice;
   choice.name = "wenchuan";
   seismic::ConditioningOptions options;
-  options.from = 20.0;
-  options.to = 20.0 + window - 10.0;  // the kept pads of 5 s on each side make up the rest
+  options.from = 5.0;
+  options.to = 5.0 + window - 10.0;  // the kept pads of 5 s on each side make up the rest
   options.target_pga = 0.3 * engine::standard_gravity;
   options.vertical = false;
   const auto records = app::read_scenario_record(choice, DOUGONG_RECORDS_DIRECTORY);

@@ -27,6 +27,18 @@ TEST(ReadRecord, ListsWhatWasTriedForAnUnknownFormat) {
   EXPECT_THAT(text, HasSubstr("found \"GIF89a\""));
 }
 
+TEST(ReadRecord, CutsChannelsToTheShortestAndSaysSo) {
+  const std::string head = "# dougong record\n# interval (s): 0.01\ntime (s),";
+  const auto east = write_file("e.csv", head + "EW (m/s2)\n0,1\n0.01,2\n0.02,3\n0.03,4\n");
+  const auto north = write_file("n.csv", head + "NS (m/s2)\n0,1\n0.01,-2\n0.02,0\n");
+  const std::vector<std::filesystem::path> both = {east, north};
+  const RecordSet set = read_records(both);
+  ASSERT_EQ(set.components.size(), 2u);
+  EXPECT_THAT(set.components[0].acceleration, ::testing::ElementsAre(1.0, 2.0, 3.0));
+  EXPECT_THAT(set.warnings,
+              ::testing::Contains(HasSubstr("EW has 4 samples, cut to the 3 of the shortest component")));
+}
+
 TEST(ReadRecord, TakesTheFormatAskedFor) {
   ReadOptions options;
   options.format = "knet";

@@ -104,6 +104,17 @@ TEST_F(RecordTools, ProcessWarnsOfABuildingThatTheRecordDoesNotSuit) {
 
 // --- plot ---------------------------------------------------------------------------------------------
 
+TEST_F(RecordTools, MeasuresAndSheetsAreForProgramsToo) {
+  const json groups = answer({"record", "measure", "kobe", "--csv", "m.csv"}).at("groups");
+  EXPECT_THAT(read("m.csv"), AllOf(HasSubstr("of,measure,value,unit,meaning\n"), HasSubstr(",PGA,"),
+                                   HasSubstr("/ EW\",D5-95,")));
+  expect_refusal({"record", "measure", "kobe", "--csv", "m.csv"}, {"m.csv", "exists"});
+  const json sheet = answer({"record", "plot", "kobe", "--out", "sheet.svg"});
+  EXPECT_EQ(sheet.at("picture"), "sheet.svg");
+  EXPECT_NEAR(std::abs(sheet.at("acceleration_m_s2").at("value").get<double>()),
+              groups[0].at("measures")[0].at("value").get<double>(), 1e-5);
+}
+
 TEST_F(RecordTools, PlotDrawsOneSheetAndWritesTheHistories) {
   const Ran ran = run({"record", "plot", "kobe", "--out", "k.svg", "--csv", "k.csv"});
   ASSERT_EQ(ran.exit_code, 0) << ran.err;

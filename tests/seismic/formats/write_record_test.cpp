@@ -114,6 +114,15 @@ TEST(WrittenFile, NamesFilesByComponent) {
                                                "-N_S.dat", "-E_W.dat", "-U_D.dat", ".csv", ".mseed"));
 }
 
+TEST(WrittenFile, HasNoNegativeZeroInCsv) {
+  auto components = station();
+  components[0].acceleration[0] = -0.0;
+  const std::string bytes = write_records(components, WrittenFormat::csv).front().bytes;
+  EXPECT_EQ(bytes.find(",-0,"), std::string::npos);
+  EXPECT_EQ(bytes.find(",-0\n"), std::string::npos);
+  EXPECT_NE(bytes.find("\n0,0,"), std::string::npos);
+}
+
 TEST(WrittenFile, RefusesWhatAFormatCannotHold) {
   auto components = station();
   components[0].azimuth = 30.0;
