@@ -116,6 +116,7 @@ std::string to_string(JointAction action) {
 
 Mechanism mechanism_of(const engine::Model& model, const engine::State& standing,
                        const std::vector<BlockMotion>& motions, const MechanismOptions& options) {
+  if (motions.empty()) return {};  // nothing fell
   return Look(model, standing, motions).found(options);
 }
 

@@ -36,7 +36,7 @@ struct MechanismOptions {
   double acting = 0.2;  // of the greatest opening or slip of a joint: less is closed
 };
 
-/// `standing` is a state of the model.
+/// `standing` is a state of the model; without motions nothing fell, and nothing moves.
 Mechanism mechanism_of(const engine::Model& model, const engine::State& standing,
                        const std::vector<BlockMotion>& motions, const MechanismOptions& options = {});
 

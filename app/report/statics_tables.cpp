@@ -59,7 +59,9 @@ Json side_part(const StaticResult& r, const SideResult& s) {
            {"trials", s.found.trials.size()}, {"mechanism", mechanism_part(r, s)}};
   if (!r.choice.pattern) {
     out["tilt_stands"] = {{"value", tilt_degrees(s.found.stands)}, {"unit", "deg"}};
-    out["tilt_falls"] = {{"value", number(tilt_degrees(s.found.falls))}, {"unit", "deg"}};
+    out["tilt_falls"] = {
+        {"value", std::isfinite(s.found.falls) ? number(tilt_degrees(s.found.falls)) : Json()},
+        {"unit", "deg"}};
   }
   if (!s.curve.points.empty()) out["curve"] = curve_part(r, s);
   return out;

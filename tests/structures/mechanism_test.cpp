@@ -45,6 +45,7 @@ TEST(Mechanism, OfNothingThatMovesIsEmpty) {
   const Mechanism m = mechanism_of(r.model, r.state, {{}, {}});
   EXPECT_TRUE(m.moving.empty());
   EXPECT_TRUE(m.joints.empty());
+  EXPECT_TRUE(mechanism_of(r.model, r.state, {}).joints.empty()) << "nothing fell";
 }
 
 }  // namespace

@@ -1,4 +1,6 @@
 // dougong tilt and dougong pushover: what they print, what they leave behind, how they end.
+#include <signal.h>
+
 #include <cmath>
 
 #include "tests/app/cli/program_test.h"
@@ -64,6 +66,27 @@ TEST_F(Statics, TellWhatDoesNotStand) {
   const Ran ran = run({"tilt", "study.toml", "--out", "out"}, with_quick_plots());
   EXPECT_EQ(ran.exit_code, 10) << ran.out << ran.err;
   EXPECT_THAT(ran.out, HasSubstr("0: it does not stand under its weight"));
+}
+
+TEST_F(Statics, SayWhereTheSearchEndedWithEverythingStanding) {
+  const Ran ran = run(block("tilt", {"--towards", "right", "--largest", "0.1"}), with_quick_plots());
+  EXPECT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_THAT(ran.out, HasSubstr("at least 0.1000 (the search ended there)"));
+  EXPECT_TRUE(json::parse(read("out/tilt.json"))["sides"][0]["falls"].is_null());
+  EXPECT_TRUE(json::parse(read("out/tilt.json"))["sides"][0]["tilt_falls"]["value"].is_null());
+  EXPECT_FALSE(exists("out/figures/mechanism_right.svg"));
+}
+
+TEST_F(Statics, KeepWhatAnInterruptedSearchFound) {
+  Surroundings around = with_quick_plots();
+  around.signal = SIGTERM;
+  around.when_it_says = "10 %";
+  const Ran ran = run({"tilt", "--layout", "brick-wall", "--hold", "1 s", "--out", "out"}, around);
+  EXPECT_EQ(ran.exit_code, 30) << ran.out << ran.err;
+  const json found = json::parse(read("out/tilt.json"));
+  EXPECT_TRUE(found["interrupted"]);
+  EXPECT_GT(found["sides"][0]["stands"], 0.0);
+  EXPECT_THAT(read("out/tilt.html"), HasSubstr("Interrupted."));
 }
 
 TEST_F(Statics, RefuseBadInputTogetherAndWriteNothing) {
