@@ -22,8 +22,9 @@ inline Wall settle(const engine::Scene& scene) {
 }
 
 /// S1, of such a stiffness that it settles by so much (m), shaken at 2 Hz by so many g.
-inline engine::Scene s1_scene(double settlement, double amplitude) {
+inline engine::Scene s1_scene(double settlement, double amplitude, double damping_ratio = 0.3) {
   scenes::RunningBond brickwork;
+  brickwork.damping_ratio = damping_ratio;
   brickwork.young_modulus *= scenes::settlement(brickwork) / settlement;
   return scenes::running_bond(brickwork, scenes::sine_motion(9.81 * amplitude, 2.0));
 }

@@ -61,10 +61,11 @@ void shake(benchmark::State& bench, const char* integrator) {
 }
 
 // 1020 bricks with open head joints that settle by so many micrometres, shaken at 2 Hz by so many hundredths
-// of g, for so many tenths of a second.
+// of g, for so many tenths of a second, with a damping ratio of so many hundredths.
 void s1(benchmark::State& bench, const char* integrator) {
-  const Wall w = settle(
-      s1_scene(1e-6 * static_cast<double>(bench.range(0)), 0.01 * static_cast<double>(bench.range(1))));
+  const Wall w =
+      settle(s1_scene(1e-6 * static_cast<double>(bench.range(0)), 0.01 * static_cast<double>(bench.range(1)),
+                      0.01 * static_cast<double>(bench.range(3))));
   engine::DriveOptions options = scenes::run_for(0.1 * static_cast<double>(bench.range(2)), 0.05, integrator);
   options.step_fraction = 0.9;
   run_wall(bench, w, options);
@@ -72,7 +73,11 @@ void s1(benchmark::State& bench, const char* integrator) {
 
 void shakings(benchmark::internal::Benchmark* bench) {
   bench->Iterations(1)->Unit(benchmark::kSecond);
-  bench->Args({1000, 30, 10})->Args({1000, 30, 100})->Args({12, 30, 20})->Args({1000, 150, 40});
+  for (const int damping : {30, 20})
+    bench->Args({1000, 30, 10, damping})
+        ->Args({1000, 30, 100, damping})
+        ->Args({12, 30, 20, damping})
+        ->Args({1000, 150, 40, damping});
 }
 
 BENCHMARK_CAPTURE(s1, velocity_verlet, "velocity-verlet")->Apply(shakings);
