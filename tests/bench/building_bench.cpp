@@ -1,5 +1,6 @@
-// What a building costs under a record of 40 s: a frame of 60 bonded blocks, a dry wall of 1000 bricks, an
-// ensemble of 16 on one thread and on two. Processor time, but for the ensemble, whose gain is of the clock.
+// What a building costs under a record of 40 s: a frame of 60 bonded blocks, a dry wall of 1020 soft bricks
+// (S1), an ensemble of 16 on one thread and on two. Processor time, but for the ensemble, whose gain is of
+// the clock.
 #include <benchmark/benchmark.h>
 
 #include <ctime>
@@ -37,7 +38,8 @@ void frame_of_60_blocks(benchmark::State& bench) {
 BENCHMARK(frame_of_60_blocks)->Iterations(1)->Unit(benchmark::kSecond);
 
 void wall_of_1000_bricks(benchmark::State& bench) {
-  shake(bench, {"layout=brick-wall", "courses=40", "bricks_per_course=25", "pga=0.3 g"});
+  shake(bench, {"layout=brick-wall", "courses=40", "bricks_per_course=25", "brick_length=0.25 m",
+                "brick_height=62.5 mm", "young_modulus=100 MPa", "pga=0.3 g"});
 }
 BENCHMARK(wall_of_1000_bricks)->Iterations(1)->Unit(benchmark::kSecond);
 
