@@ -115,7 +115,9 @@ int records_command(const RecordListOptions& options);
 struct RecordInfoOptions {
   std::vector<std::string> more;  // further files: other components of the station
   std::string record, component, station, member, response, units, interval, count_scale;
+  std::string csv;  // file of record info, a row a component; empty: none
   bool json = false;
+  bool force = false;
 };
 int record_info_command(const RecordInfoOptions& options);
 

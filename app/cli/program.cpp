@@ -261,6 +261,8 @@ void add_records(CLI::App& app, Request& r) {
   CLI::App* info = record->add_subcommand("info", "What a file holds, and its measures");
   add_record_choice(*info, r.record);
   info->add_flag("--json", r.record.json, "As JSON");
+  info->add_option("--csv", r.record.csv, "File to write, a row a component");
+  info->add_flag("--force", r.record.force, "Write over an existing file");
   info->footer("Example: dougong record info station.csv --units gal --interval \"0.01 s\" --json");
   info->callback([&r] { r.command = [&r] { return record_info_command(r.record); }; });
   add_record_tools(*record, r.command);

@@ -1,11 +1,15 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "app/cli/commands.h"
 #include "app/cli/record_choice.h"
 #include "app/cli/record_facts.h"
+#include "app/cli/record_output.h"
+#include "app/report/csv.h"
+#include "app/report/safe_file.h"
 #include "app/report/text.h"
 #include "app/study/motion_input.h"
 #include "seismic/seismic.h"
@@ -86,6 +90,27 @@ ordered_json json_of(const seismic::RecordInfo& i) {
           {"warnings", i.warnings}};
 }
 
+std::string cell_of(const ordered_json& value) {
+  if (value.is_null()) return "";
+  return csv_text(value.is_string() ? value.get<std::string>() : value.dump());
+}
+
+/// A row a component; what one of them does not say is an empty cell.
+std::string csv_of(const ordered_json& components) {
+  std::vector<std::string> names;
+  for (const ordered_json& component : components)
+    for (const auto& item : component.items())
+      if (std::ranges::find(names, item.key()) == names.end()) names.push_back(item.key());
+  std::string out = fmt::format("{}\n", fmt::join(names, ","));
+  for (const ordered_json& component : components) {
+    std::vector<std::string> cells;
+    for (const std::string& name : names)
+      cells.push_back(component.contains(name) ? cell_of(component.at(name)) : "");
+    out += fmt::format("{}\n", fmt::join(cells, ","));
+  }
+  return out;
+}
+
 }  // namespace
 
 std::filesystem::path records_directory() {
@@ -94,6 +119,7 @@ std::filesystem::path records_directory() {
 }
 
 int record_info_command(const RecordInfoOptions& options) {
+  check_new_file(options.csv, options.force);
   const AskedChannels asked = read_asked_channels(options);
   const seismic::Channels& set = asked.channels;
   ordered_json components = ordered_json::array();
@@ -110,6 +136,7 @@ int record_info_command(const RecordInfoOptions& options) {
                            2, ' ', false, ordered_json::error_handler_t::replace));
   else
     for (const std::string& warning : set.warnings) fmt::print("warning: {}\n", warning);
+  if (!options.csv.empty()) write_file(options.csv, csv_of(components));
   return exit_survived;
 }
 

@@ -109,6 +109,15 @@ TEST_F(RecordConvert, SaysWhatIsWrongWithItsOptions) {
   expect_refusal({"record", "convert", "pair.csv", "--to", "csv"}, {"option units", "--units gal"});
 }
 
+TEST_F(RecordConvert, InfoWritesARowAComponent) {
+  EXPECT_EQ(run({"record", "info", "wenchuan", "--csv", "info.csv"}).exit_code, 0);
+  const std::string csv = read("info.csv");
+  EXPECT_THAT(csv, testing::StartsWith("component,axis,event,"));
+  EXPECT_THAT(csv, testing::HasSubstr("\nUD,vertical,"));
+  EXPECT_EQ(run({"record", "info", "wenchuan", "--csv", "info.csv"}).exit_code, 2)
+      << "nothing is written over";
+}
+
 TEST_F(RecordConvert, InfoShowsEveryChannelAndWhichOneDrives) {
   write_pair("pair.csv");
   const json components = info({"pair.csv", "--units", "m/s2", "--component", "E-W"}).at("components");
