@@ -4,7 +4,7 @@
     tests/shipped_motions.py build/release/bin/dougong [FIGURE.png]
 
 prints the tables of docs/records.md (shipped components, thirty further seeds of the same rupture, and the
-Tohoku rupture seen from fourteen stations), and draws their figure with gnuplot.
+Tohoku rupture seen from fourteen stations, with durations and Arias intensity at two), and draws their figure with gnuplot.
 """
 import concurrent.futures
 import json
@@ -58,6 +58,10 @@ STATIONS = [("MYG004", 38.729, 141.022, 129, 56, 188, 35, 23, 275, 94, 612, 50, 
             ("TKY007", 35.711, 139.686, 17, 21, 62, 16, 9.0, 20, 23, 58, 21, 7.0),
             ("KNG009", 35.442, 139.362, 12, 13, 30, 13, 3.9, 15, 15, 40, 16, 2.8),
             ("TKYH12", 35.670, 139.265, 11, 16, 28, 17, 2.0, 16, 14, 45, 12, 2.3)]
+# Calculated from the recordings: of MYG004 the NS component, of TKYH12 the geometric mean of two; SI.
+RECORDINGS = [("MYG004", 38.729, 141.022, {"PGA": 27.0, "Arias": 131.5, "D5-75": 52.1, "D5-95": 80.8}),
+              ("TKYH12", 35.670, 139.265, {"PGA": mean(1.059, 1.572), "Arias": mean(0.383, 0.830),
+                                           "D5-75": mean(50.1, 45.9), "D5-95": mean(65.1, 61.0)})]
 STATION_MEASURES = ["PGA", "PGV", "psa0.3", "psa1.0", "psa3.0"]
 
 
@@ -103,6 +107,16 @@ def station_table(program, folder, pool):
     for label, part in (("all fourteen", logs), ("every second, from the first", logs[::2]), ("the others", logs[1::2])):
         cells = [f"{statistics.mean(c):+.2f} ± {statistics.stdev(c):.2f}" for c in zip(*part)]
         print(f"| {label} | " + " | ".join(cells) + " |")
+
+
+def duration_table(program, folder, pool):
+    print("\n| station | measure | recorded | median of six | recorded/median |\n|---|---|---|---|---|")
+    for name, latitude, longitude, seen in RECORDINGS:
+        place = on_the_map(latitude, longitude)
+        made = list(pool.map(lambda seed: realisation(program, folder, "tohoku", seed, place), range(1, STATION_SEEDS + 1)))
+        for measure, value in seen.items():
+            median = statistics.median(m[measure] for m in made)
+            print(f"| {name} | {measure} | {value:.3g} | {median:.3g} | {value / median:.2f} |")
 
 
 def history(program, folder, alias):
@@ -157,6 +171,7 @@ def main():
             figure = subprocess.run(["realpath", sys.argv[2]], capture_output=True, text=True).stdout.strip()
             draw(program, figure, folder, panels[:3])
         station_table(program, folder, pool)
+        duration_table(program, folder, pool)
 
 
 if __name__ == "__main__":

@@ -6,6 +6,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/interrupts.h"
+#include "app/cli/option_reading.h"
 #include "app/cli/output_folder.h"
 #include "app/cli/run_text.h"
 #include "app/cli/terminal.h"
@@ -20,7 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The options of the command, read together so that all that is wrong is said at once.
 class Reading {
  public:
   explicit Reading(const StaticsOptions& options) : o_(options) {}
@@ -29,12 +29,12 @@ class Reading {
     StaticChoice c;
     c.sides = sides();
     if (o_.pushover) c.pattern = pattern();
-    c.precision = number("--precision", o_.precision, c.precision, Dimension::ratio, 1e-4, 0.5);
-    c.first_step = number("--step", o_.step, c.first_step, Dimension::ratio, 1e-4, 1.0);
-    c.largest = number("--largest", o_.largest, c.largest, Dimension::ratio, 1e-3, 100.0);
-    c.hold_time = number("--hold", o_.hold, c.hold_time, Dimension::time, 0.01, 1000.0);
-    c.target_drift = number("--to", o_.target, c.target_drift, Dimension::ratio, 1e-5, 1.0);
-    if (!errors_.empty()) throw ScenarioError(std::move(errors_));
+    c.precision = reading_.number("--precision", o_.precision, c.precision, Dimension::ratio, 1e-4, 0.5);
+    c.first_step = reading_.number("--step", o_.step, c.first_step, Dimension::ratio, 1e-4, 1.0);
+    c.largest = reading_.number("--largest", o_.largest, c.largest, Dimension::ratio, 1e-3, 100.0);
+    c.hold_time = reading_.number("--hold", o_.hold, c.hold_time, Dimension::time, 0.01, 1000.0);
+    c.target_drift = reading_.number("--to", o_.target, c.target_drift, Dimension::ratio, 1e-5, 1.0);
+    reading_.finish();
     return c;
   }
 
@@ -50,21 +50,8 @@ class Reading {
                                  [&](auto pattern) { return to_string(pattern) == o_.pattern; });
   }
 
-  double number(const std::string& option, const std::string& text, double otherwise, Dimension dimension,
-                double least, double most) {
-    if (text.empty()) return otherwise;
-    try {
-      const double value = parse_quantity(text, dimension);
-      if (value >= least && value <= most) return value;
-      throw std::invalid_argument(fmt::format("expected {:g} to {:g}, found {}", least, most, text));
-    } catch (const std::invalid_argument& error) {
-      errors_.push_back({option, error.what()});
-      return otherwise;
-    }
-  }
-
   const StaticsOptions& o_;
-  std::vector<LocatedMessage> errors_;
+  OptionReading reading_;
 };
 
 Scenario scenario_of(const StaticsOptions& options) {

@@ -2,6 +2,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/interrupts.h"
+#include "app/cli/option_reading.h"
 #include "app/cli/output_folder.h"
 #include "app/cli/tradeoff_text.h"
 #include "app/report/tradeoff_report.h"
@@ -16,7 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The options of the command, read together so that all that is wrong is said at once.
 class Reading {
  public:
   explicit Reading(const TradeoffOptions& options) : o_(options) {}
@@ -27,56 +27,34 @@ class Reading {
     c.ladder.steps = numbers("--steps", o_.steps, above_zero, 100.0);
     c.ladder.tolerances = numbers("--tolerances", o_.tolerances, 1e-14, 0.1);
     c.ladder.stiffnesses = numbers("--stiffness", o_.stiffnesses, 1e-6, 1e6);
-    c.target = number("--target", o_.target, c.target, Dimension::ratio, above_zero, 1.0);
-    c.budget = number("--budget", o_.budget, c.budget, Dimension::time, above_zero, 1e9);
-    c.members = static_cast<std::size_t>(
-        number("--ensemble", o_.members, static_cast<double>(c.members), Dimension::count, 0.0, 1000.0));
+    c.target = reading_.number("--target", o_.target, c.target, Dimension::ratio, above_zero, 1.0);
+    c.budget = reading_.number("--budget", o_.budget, c.budget, Dimension::time, above_zero, 1e9);
+    c.members = static_cast<std::size_t>(reading_.number(
+        "--ensemble", o_.members, static_cast<double>(c.members), Dimension::count, 0.0, 1000.0));
     c.bodies = o_.bodies;
-    attempt("--measure", [&] { c.measure = o_.measure.empty() ? c.measure : measure_from(o_.measure); });
-    if (!errors_.empty()) throw ScenarioError(std::move(errors_));
+    reading_.attempt("--measure",
+                     [&] { c.measure = o_.measure.empty() ? c.measure : measure_from(o_.measure); });
+    reading_.finish();
     return c;
   }
 
  private:
-  template <class Read>
-  void attempt(const std::string& option, Read read) {
-    try {
-      read();
-    } catch (const std::invalid_argument& error) {
-      errors_.push_back({option, error.what()});
-    }
-  }
-
   std::vector<std::string> integrators() {
     for (const std::string& name : o_.integrators)
-      attempt("--integrators", [&] { engine::make_integrator(name); });
+      reading_.attempt("--integrators", [&] { engine::make_integrator(name); });
     return o_.integrators;
-  }
-
-  double number(const std::string& option, const std::string& text, double otherwise, Dimension dimension,
-                double least, double most) {
-    if (text.empty()) return otherwise;
-    double value = otherwise;
-    attempt(option, [&] {
-      value = parse_quantity(text, dimension);
-      if (!(value >= least && value <= most))
-        throw std::invalid_argument(fmt::format("expected {} to {:g}, found {}",
-                                                least == above_zero ? "above 0" : fmt::format("{:g}", least),
-                                                most, text));
-    });
-    return value;
   }
 
   std::vector<double> numbers(const std::string& option, const std::vector<std::string>& texts, double least,
                               double most) {
     std::vector<double> values;
     for (const std::string& text : texts)
-      values.push_back(number(option, text, 1.0, Dimension::ratio, least, most));
+      values.push_back(reading_.number(option, text, 1.0, Dimension::ratio, least, most));
     return values;
   }
 
   const TradeoffOptions& o_;
-  std::vector<LocatedMessage> errors_;
+  OptionReading reading_;
 };
 
 SceneDescription description_of(const TradeoffOptions& options) {

@@ -42,9 +42,9 @@ struct BondHistory {
   double widest = 0.0;   // m, w
   double anchor = 0.0;   // m, where the shear spring is relaxed
   bool broken = false;
-  bool sheared = false;  // that is why it broke
-  bool joined = true;    // the face has no crack: its points bear compression
-  bool was_joined = false;
+  bool sheared = false;     // that is why it broke
+  bool joined = true;       // the face has no crack: its points bear compression
+  bool was_joined = false;  // until its face cracked: the contacts there are damped as the bond while it ties
   /// Nothing is left of it: the contacts bear what there is to bear.
   bool gone() const { return broken && !joined; }
 };

@@ -125,6 +125,27 @@ std::string component_name(std::string field) {
   return std::string(trimmed(field));
 }
 
+// NGA headers give the date a field of its own, older ones the end of the event's: "11/12/1999",
+// "1999-11-12", or "undated" as we write it.
+bool is_date(std::string_view field) {
+  const auto part = [&](char sign) { return std::ranges::count(field, sign) == 2; };
+  const auto digit_or_sign = [](char c) { return (c >= '0' && c <= '9') || c == '/' || c == '-'; };
+  return field == "undated" || ((part('/') || part('-')) && std::ranges::all_of(field, digit_or_sign));
+}
+
+// The fields of the title: event, date where it has its own, station, component.
+void describe_title(const std::vector<std::string>& fields, Provenance& from) {
+  from.event = fields.front();
+  from.component = component_name(fields.back());
+  std::size_t station = 1;
+  if (fields.size() > 2 && is_date(fields[1])) {
+    if (fields[1] != "undated") from.event += " " + fields[1];
+    station = 2;
+  }
+  for (std::size_t i = station; i + 1 < fields.size(); ++i)
+    from.station += (i > station ? ", " : "") + fields[i];
+}
+
 // "FILTER POINTS: HP=0.2 Hz LP=12.5 Hz" on line 3, or poles behind DT.
 std::string filters_in(const FileText& text, const Header& header) {
   const std::string points = value_behind(text, "FILTER POINTS", 0, header.first);
@@ -140,13 +161,10 @@ void describe_source(const FileText& text, const Header& header, Record& record)
   from.treatment = filters_in(text, header);
   const bool regular = header.line >= 2 && !stated_in_prose(text.lines[1]);
   const auto fields = regular ? comma_fields(text.lines[1]) : std::vector<std::string>{};
-  if (fields.size() >= 2) {
-    from.event = fields.front();
-    from.component = component_name(fields.back());
-    for (std::size_t i = 1; i + 1 < fields.size(); ++i) from.station += (i > 1 ? ", " : "") + fields[i];
-  } else {
+  if (fields.size() >= 2)
+    describe_title(fields, from);
+  else
     from.event = printable(trimmed(text.lines[0]));
-  }
   if (from.component.empty()) from.component = std::filesystem::path(text.name).stem().string();
   name_component(record, from.component);
 }

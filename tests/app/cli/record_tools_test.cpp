@@ -107,7 +107,7 @@ TEST_F(RecordTools, ProcessWarnsOfABuildingThatTheRecordDoesNotSuit) {
 TEST_F(RecordTools, MeasuresAndSheetsAreForProgramsToo) {
   const json groups = answer({"record", "measure", "kobe", "--csv", "m.csv"}).at("groups");
   EXPECT_THAT(read("m.csv"), AllOf(HasSubstr("of,measure,value,unit,meaning\n"), HasSubstr(",PGA,"),
-                                   HasSubstr("/ EW\",D5-95,")));
+                                   HasSubstr("/ EW,D5-95,")));
   expect_refusal({"record", "measure", "kobe", "--csv", "m.csv"}, {"m.csv", "exists"});
   const json sheet = answer({"record", "plot", "kobe", "--out", "sheet.svg"});
   EXPECT_EQ(sheet.at("picture"), "sheet.svg");

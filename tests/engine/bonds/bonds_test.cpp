@@ -333,20 +333,22 @@ TEST(Bond, ThatBrokeAfterwardsLeavesItsCrackToTheMaterials) {
   EXPECT_NEAR(share_of_damping(r), 1.0, 1e-6);
 }
 
-TEST(Bond, OnAPartOfTheFaceLeavesTheRestDampedByTheMaterials) {
+// A block on the ground, bonded to it at a tenth of its face.
+Scene partly_bonded() {
   Scene s = hanging(1e6, -9.81);
   s.bonds[0].start = {0.3, 0.0}, s.bonds[0].end = {0.4, 0.0};
   s.bonds[0].yield_strength = 1e4;
-  Running r(s);
+  return s;
+}
+
+TEST(Bond, OnAPartOfTheFaceLeavesTheRestDampedByTheMaterials) {
+  Running r(partly_bonded());
   r.run(run_for(0.1));
   EXPECT_NEAR(share_of_damping(r), 1.0, 1e-6);
 }
 
 TEST(Bond, OnAPartOfTheFaceLeavesTheRestInContact) {
-  Scene s = hanging(1e6, -9.81);
-  s.bonds[0].start = {0.3, 0.0}, s.bonds[0].end = {0.4, 0.0};
-  s.bonds[0].yield_strength = 1e4;
-  Running r(s);
+  Running r(partly_bonded());
   r.run(run_for(1.0));
   EXPECT_NEAR(r.position().y, 0.5, 1e-4);
   EXPECT_NEAR(r.angle(), 0.0, 1e-4);

@@ -63,14 +63,29 @@ TEST(PeerAt2, ReadsEveryLineEndAndNoLastOne) {
 
 TEST(PeerAt2, KnowsWhereItComesFrom) {
   const Record record = read(at2("NPTS= 6, DT= .01 SEC", six_values));
-  EXPECT_EQ(record.provenance.event, "Loma Prieta");
-  EXPECT_EQ(record.provenance.station, "10/18/1989, Gilroy - Gavilan Coll.");
+  EXPECT_EQ(record.provenance.event, "Loma Prieta 10/18/1989");
+  EXPECT_EQ(record.provenance.station, "Gilroy - Gavilan Coll.");
   EXPECT_EQ(record.component, "67");
   EXPECT_EQ(record.axis, Axis::horizontal);
   EXPECT_EQ(record.provenance.units, "g");
   EXPECT_EQ(record.provenance.format, "PEER AT2");
   EXPECT_EQ(record.provenance.sha256.size(), 64u);
   EXPECT_THAT(record.warnings, IsEmpty());
+}
+
+TEST(PeerAt2, TellsADateFromAStation) {
+  const auto titled = [](const std::string& title) {
+    return read("PEER\n" + title + "\nACCELERATION TIME SERIES IN UNITS OF G\nNPTS= 6, DT= .01 SEC\n" +
+                six_values)
+        .provenance;
+  };
+  EXPECT_EQ(titled("AQABA 11/22/95 0616, EILAT, EW").event, "AQABA 11/22/95 0616");
+  EXPECT_EQ(titled("AQABA 11/22/95 0616, EILAT, EW").station, "EILAT");
+  EXPECT_EQ(titled("Made, undated, SYN001, EW").event, "Made");
+  EXPECT_EQ(titled("Made, undated, SYN001, EW").station, "SYN001");
+  EXPECT_EQ(titled("Duzce, 1999-11-12, Lamont 362, Yard, N").event, "Duzce 1999-11-12");
+  EXPECT_EQ(titled("Duzce, 1999-11-12, Lamont 362, Yard, N").station, "Lamont 362, Yard");
+  EXPECT_EQ(titled("Kobe, KJMA 12-A, 90").station, "KJMA 12-A");
 }
 
 TEST(PeerAt2, ChecksThePeakThatSomeFilesState) {
