@@ -69,6 +69,7 @@ class Runner {
         dynamics_(model, state, options.terrain_held_still, options.local_damping),
         stability_(model),
         accelerations_(3 * model.body_count),
+        frames_(model.size()),
         intervals_(choose_intervals(options.terrain_held_still ? 0.0 : model.knot_interval(),
                                     options.output_interval)) {
     std::visit(
@@ -80,7 +81,7 @@ class Runner {
         },
         integrator_);
     dynamics_.work_with(crew_);
-    state_.contacts.make_rigid(model, frames_of(model, state, options.terrain_held_still), rigid_);
+    state_.contacts.make_rigid(model, place(), rigid_);
     if (rigid_ && model.has_rocking_restitution())
       throw std::invalid_argument(std::string(name_) +
                                   ": rigid contacts know no rocking restitution; leave it out, or choose "
@@ -134,18 +135,24 @@ class Runner {
 
   double step_fraction() const { return options_.step_fraction * (falling_ ? step_of_impacts : 1.0); }
 
+  // Everything where it is now.
+  std::span<const Frame> place() {
+    place_all(model_, state_, options_.terrain_held_still, frames_, crew_);
+    return frames_;
+  }
+
   void refresh_bound() {
-    const auto frames = frames_of(model_, state_, options_.terrain_held_still);
-    if (!adaptive_) bound_ = bound_of(integrator_, stability_.assemble(model_, state_, frames));
-    travel_ = state_.contacts.longest_step(model_, frames);
+    const std::span<const Frame> frames = place();
+    if (!adaptive_) bound_ = bound_of(integrator_, stability_.assemble(model_, state_, frames, crew_));
+    travel_ = state_.contacts.longest_step(model_, fastest_rim(model_, frames));
   }
 
   // After contacts have come, gone or changed.
   void renew_bound() {
-    const auto frames = frames_of(model_, state_, options_.terrain_held_still);
+    const std::span<const Frame> frames = place();
     const std::vector<Index> disturbed = state_.contacts.take_disturbed();
     if (!adaptive_) bound_ = bound_of(integrator_, stability_.renew(model_, state_, frames, disturbed));
-    travel_ = state_.contacts.longest_step(model_, frames);
+    travel_ = state_.contacts.longest_step(model_, fastest_rim(model_, frames));
   }
 
   // A base interval in equal steps; what is left of it may be divided anew on the way.
@@ -211,21 +218,22 @@ class Runner {
 
   // Whether bodies have become so fast since the interval began that the step is too long for them. It may
   // be half as long again as longest_step() says: that leaves the bodies less than the margin.
-  bool runs_away(std::span<const Frame> frames) {
-    travel_ = state_.contacts.longest_step(model_, frames);
+  bool runs_away(double speed) {
+    travel_ = state_.contacts.longest_step(model_, speed);
     return step_size() > 1.5 * travel_;
   }
 
   // Returns whether the step may have to change.
   bool update_contacts() {
-    const auto frames = frames_of(model_, state_, options_.terrain_held_still);
-    const bool changed = state_.contacts.update(model_, frames);
+    const std::span<const Frame> frames = place();
+    const bool changed = state_.contacts.update(model_, frames, crew_);
     state_.work.bonds -= state_.contacts.take_inherited();
-    countdown_ = state_.contacts.steps_until_update(model_, frames, step_size());
+    const double speed = fastest_rim(model_, frames);
+    countdown_ = state_.contacts.steps_until_update(model_, speed, step_size());
     // Many evaluations a step: looking at the contacts before each costs little.
     if (adaptive_) countdown_ = 1;
     if (changed && adaptive_) restart();
-    return changed || runs_away(frames);
+    return changed || runs_away(speed);
   }
 
   void restart() {
@@ -254,7 +262,7 @@ class Runner {
 
   // What a joined face held touches from now on; the contacts store what its points had stored.
   void let_go() {
-    const auto frames = frames_of(model_, state_, options_.terrain_held_still);
+    const std::span<const Frame> frames = place();
     for (const ReleasedPair& pair : release_cracked(model_, state_.bonds, frames))
       if (!rigid_) state_.contacts.inherit(pair.bodies, pair.energy);
     state_.contacts.keep_apart(held_pairs(model_, state_.bonds));
@@ -333,6 +341,7 @@ class Runner {
   Dynamics dynamics_;
   StabilityRows stability_;
   std::vector<double> accelerations_;
+  std::vector<Frame> frames_;
   Intervals intervals_;
   RunOutcome outcome_;
   EnergyTurnover turnover_;

@@ -165,12 +165,17 @@ SpectralBound StabilityRows::largest(const Model& model, std::span<const Frame> 
   return {bound.stiffness + fields.stiffness, bound.damping + fields.damping};
 }
 
-SpectralBound StabilityRows::assemble(const Model& model, const State& state, std::span<const Frame> frames) {
+SpectralBound StabilityRows::assemble(const Model& model, const State& state, std::span<const Frame> frames,
+                                      Crew& crew) {
   const bool linked = !model.bond_points.empty() || !model.joints.empty();
   links_.assign(linked ? bodies_ : 0, {});
   for (std::size_t i = 0; i < model.bond_points.size(); i += 2) add_bond(model, state.bonds, i, frames);
   for (const JointElement& joint : model.joints) add_joint(joint, frames);
-  for (Index body = 0; body < bodies_; ++body) renew_body(state.contacts, body, frames);
+  constexpr std::size_t share = 256;
+  crew.share_range(bodies_, share, [&](std::size_t first, std::size_t last) {
+    for (std::size_t body = first; body < last; ++body)
+      renew_body(state.contacts, static_cast<Index>(body), frames);
+  });
   return largest(model, frames);
 }
 

@@ -28,7 +28,8 @@ class StabilityRows {
   explicit StabilityRows(const Model& model);
 
   /// All rows, for the poses of now.
-  SpectralBound assemble(const Model& model, const State& state, std::span<const Frame> frames);
+  SpectralBound assemble(const Model& model, const State& state, std::span<const Frame> frames,
+                         Crew& crew = Crew::alone());
   /// The rows of those bodies only (terrains are passed over); the others' stay as they were.
   SpectralBound renew(const Model& model, const State& state, std::span<const Frame> frames,
                       std::span<const Index> bodies);

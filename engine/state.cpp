@@ -24,10 +24,15 @@ State initial_state(const Model& model, const Scene& scene) {
   return state;
 }
 
+void place_all(const Model& model, const State& state, bool terrain_held_still, std::span<Frame> frames,
+               Crew& crew) {
+  place_bodies(model, state.q(), state.v(), frames, crew);
+  place_terrains(model, state.time, terrain_held_still, frames);
+}
+
 std::vector<Frame> frames_of(const Model& model, const State& state, bool terrain_held_still) {
   std::vector<Frame> frames(model.size());
-  place_bodies(model, state.q(), state.v(), frames);
-  place_terrains(model, state.time, terrain_held_still, frames);
+  place_all(model, state, terrain_held_still, frames);
   return frames;
 }
 

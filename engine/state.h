@@ -38,7 +38,9 @@ struct State {
 
 /// The state the scene describes, at t = 0, with its contacts found.
 State initial_state(const Model& model, const Scene& scene);
-/// All frames, bodies and terrains, of a state.
+/// All frames, bodies and terrains, of a state: those of all bodies, then those of the terrains.
+void place_all(const Model& model, const State& state, bool terrain_held_still, std::span<Frame> frames,
+               Crew& crew = Crew::alone());
 std::vector<Frame> frames_of(const Model& model, const State& state, bool terrain_held_still = false);
 /// 64-bit FNV-1a of the bits of time and motion, as 16 hexadecimal digits.
 std::string state_hash(const State& state);

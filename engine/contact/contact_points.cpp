@@ -325,6 +325,7 @@ ContactTotals contact_forces(ContactPoints& points, std::span<const Frame> frame
   });
   ContactTotals totals;
   for (const ContactTotals& sum : partial) totals += sum;
+  if (totals.roused) points.note_roused();
   add_rocking_couples(points, frames, commit, loads, totals);
   return totals;
 }

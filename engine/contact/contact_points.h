@@ -10,6 +10,7 @@
 #pragma once
 
 #include <limits>
+#include <utility>
 
 #include "engine/collision/broad_phase.h"
 #include "engine/collision/manifold.h"
@@ -71,6 +72,10 @@ class ContactPoints {
   bool corner_is_b(std::size_t i) const { return block(i).corner_is_b[lane(i)] != 0; }
   bool open(std::size_t i) const { return block(i).open[lane(i)] != 0; }
 
+  void note_roused() { roused_ = true; }
+  /// Whether a face of any block has been roused since the last call (PointBlock::roused says which).
+  bool take_roused() { return std::exchange(roused_, false); }
+
   std::span<PointBlock> blocks() { return blocks_; }
   std::span<const PointBlock> blocks() const { return blocks_; }
 
@@ -89,6 +94,7 @@ class ContactPoints {
   const PointBlock& block(std::size_t i) const { return blocks_[i / PointBlock::size]; }
 
   bool with_rocking_ = false;
+  bool roused_ = false;
   std::vector<PointBlock> blocks_;
   std::vector<Round> round_;
 };

@@ -70,19 +70,6 @@ Vec2 common_velocity(const Model& model, std::span<const Frame> frames) {
   return {};
 }
 
-// Greatest speed of any point of a body, relative to what moves all of them (m/s).
-double fastest_rim(const Model& model, std::span<const Frame> frames) {
-  const Vec2 common = common_velocity(model, frames);
-  double fastest = 0.0;
-  for (std::size_t i = 0; i < model.size(); ++i) {
-    if (!model.touchable[i]) continue;
-    const Vec2 v = frames[i].velocity() - common;
-    fastest = std::max(fastest,
-                       std::abs(v.x) + std::abs(v.y) + model.bounding_radius[i] * std::abs(frames[i].spin));
-  }
-  return fastest;
-}
-
 // Time in which what moves at `speed` and falls freely besides goes `way` (s).
 double time_to_go(const Model& model, double way, double speed) {
   const double root = std::sqrt(speed * speed + 2.0 * norm(model.gravity) * way);
@@ -96,6 +83,18 @@ std::optional<double> damping_of(const std::vector<PairDamping>& tied, BodyPair 
 }
 
 }  // namespace
+
+double fastest_rim(const Model& model, std::span<const Frame> frames) {
+  const Vec2 common = common_velocity(model, frames);
+  double fastest = 0.0;
+  for (std::size_t i = 0; i < model.size(); ++i) {
+    if (!model.touchable[i]) continue;
+    const Vec2 v = frames[i].velocity() - common;
+    fastest = std::max(fastest,
+                       std::abs(v.x) + std::abs(v.y) + model.bounding_radius[i] * std::abs(frames[i].spin));
+  }
+  return fastest;
+}
 
 ContactSet::ContactSet(const Model& model) {
   index_bodies(model.size());
@@ -189,7 +188,8 @@ void ContactSet::watch(const Model& model, std::size_t k) {
   w.small[lane] = small, w.large[lane] = pair.bodies.a == small ? pair.bodies.b : pair.bodies.a;
   w.x[lane] = pair.seen_position.x, w.y[lane] = pair.seen_position.y, w.angle[lane] = pair.seen_angle;
   w.radius[lane] = model.bounding_radius[small];
-  w.moved[lane] = 0.0;
+  w.first_point[lane] = pair.active ? pair.first_point : PairWatch::none;
+  w.gap[lane] = pair.gap, w.moved[lane] = 0.0;
   w.limit[lane] = refresh_ratio * reach_of(pair);
 }
 
@@ -202,13 +202,13 @@ void ContactSet::enter(const Model& model, std::span<const Frame> frames, Contac
     pair.first_point = free_slots_.back();
     free_slots_.pop_back();
   }
-  pair.active = true;
+  pair.active = slots_changed_ = true;
   ++entered_;
   write_points(model, frames, law_of(pair), points, pair);
 }
 
 void ContactSet::leave(ContactPair& pair) {
-  pair.active = false;
+  pair.active = false, slots_changed_ = true;
   points.clear(pair.first_point, {}), points.clear(pair.first_point + 1, {});
   free_slots_.push_back(pair.first_point);
 }
@@ -263,49 +263,72 @@ void ContactSet::compact_slots(std::span<const Frame> frames) {
     near += apart ? 0 : 2;
     points.take_over(old, pair.first_point, first);
     pair.first_point = static_cast<Index>(first);
+    watches_[k / PairWatch::size].first_point[k % PairWatch::size] = pair.first_point;
   }
-  free_slots_.clear();
-  entered_ = 0;
+  free_slots_.clear(), sleeps_.clear();
+  entered_ = 0, slots_changed_ = true;
 }
 
 void ContactSet::index_bodies(std::size_t bodies) {
-  first_.assign(bodies + 1, 0);
+  // Counted two places ahead: writing the touches of a body moves its end to where the next one's begin.
+  first_.assign(bodies + 2, 0);
   const auto each = [&](auto&& visit) {
-    for (const ContactPair& pair : pairs_)
-      if (pair.active) visit(pair.bodies.a, pair.first_point), visit(pair.bodies.b, pair.first_point + 1);
+    for (const PairWatch& w : watches_)
+      for (std::size_t lane = 0; lane < PairWatch::size; ++lane) {
+        if (w.first_point[lane] == PairWatch::none) continue;
+        visit(std::min(w.large[lane], w.small[lane]), w.first_point[lane]);
+        visit(std::max(w.large[lane], w.small[lane]), w.first_point[lane] + 1);
+      }
   };
-  each([&](Index body, Index) { ++first_[body + 1]; });
-  for (std::size_t k = 1; k < first_.size(); ++k) first_[k] += first_[k - 1];
-  std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+  each([&](Index body, Index) { ++first_[body + 2]; });
+  for (std::size_t k = 2; k < first_.size(); ++k) first_[k] += first_[k - 1];
   touches_.resize(points.size());
-  each([&](Index body, Index side) { touches_[next[body]++] = side; });
+  each([&](Index body, Index side) { touches_[first_[body + 1]++] = side; });
+  first_.pop_back();
 }
 
 // Blocks of points that are open and cannot close before the next look are not evaluated until then.
 void ContactSet::put_blocks_to_sleep(std::span<const Frame> frames) {
   const auto blocks = points.blocks();
-  sleeps_.assign(blocks.size(), !rigid_);
-  for (std::size_t k = 0; k < pairs_.size(); ++k) {
-    const ContactPair& pair = pairs_[k];
-    const bool apart = pair.gap - moved(k) > sleeping_gap_;
-    if (pair.active && !(apart && points.open(pair.first_point) && points.open(pair.first_point + 1)))
-      sleeps_[pair.first_point / PointBlock::size] = false;
-  }
+  std::swap(slept_, sleeps_);
+  slept_.resize(blocks.size(), false), sleeps_.assign(blocks.size(), !rigid_);
+  for (const PairWatch& w : watches_)
+    for (std::size_t lane = 0; lane < PairWatch::size; ++lane) {
+      const Index first = w.first_point[lane];
+      if (first == PairWatch::none) continue;
+      const std::size_t block = first / PointBlock::size;
+      const bool apart = w.gap[lane] - w.moved[lane] > sleeping_gap_;
+      if (!(apart && (slept_[block] || (points.open(first) && points.open(first + 1)))))
+        sleeps_[block] = false;
+    }
   for (std::size_t k = 0; k < blocks.size(); ++k) {
+    if (sleeps_[k] == slept_[k]) continue;
     if (!sleeps_[k]) points.wake(k, frames);
     blocks[k].asleep = sleeps_[k] != 0;
   }
 }
 
+void ContactSet::measure_motions(std::span<const Frame> frames, Crew& crew) {
+  constexpr std::size_t share = 64;  // of eight pairs
+  seen_.resize(watches_.size());
+  crew.share_range(watches_.size(), share, [&](std::size_t first, std::size_t last) {
+    best_kernels().measure_motions(watches_.data() + first, last - first, frames.data());
+    for (std::size_t k = first; k < last; ++k)
+      seen_[k] = {watches_[k].smallest_limit(), watches_[k].any_beyond_limit()};
+  });
+}
+
 // Finds the manifolds of pairs that have moved since they were seen.
 void ContactSet::refresh_moved(const Model& model, std::span<const Frame> frames) {
-  best_kernels().measure_motions(watches_.data(), watches_.size(), frames.data());
   smallest_limit_ = refresh_ratio * smallest_margin_;
-  for (std::size_t k = 0; k < pairs_.size(); ++k) {
-    const PairWatch& w = watches_[k / PairWatch::size];
-    const std::size_t lane = k % PairWatch::size;
-    if (w.moved[lane] > w.limit[lane]) look_at(model, frames, k);
-    smallest_limit_ = std::min(smallest_limit_, w.limit[lane]);
+  for (std::size_t block = 0; block < watches_.size(); ++block) {
+    if (seen_[block].beyond_limit) {
+      const PairWatch& w = watches_[block];
+      for (std::size_t lane = 0; lane < PairWatch::size; ++lane)
+        if (w.moved[lane] > w.limit[lane]) look_at(model, frames, block * PairWatch::size + lane);
+      seen_[block].smallest_limit = w.smallest_limit();
+    }
+    smallest_limit_ = std::min(smallest_limit_, seen_[block].smallest_limit);
   }
 }
 
@@ -319,16 +342,15 @@ void ContactSet::look_at(const Model& model, std::span<const Frame> frames, std:
   watch(model, k);
 }
 
-bool ContactSet::update(const Model& model, std::span<const Frame> frames) {
+bool ContactSet::update(const Model& model, std::span<const Frame> frames, Crew& crew) {
   if (!has_contacts_) return false;
   const std::size_t before = disturbed_.size();
   if (moved_beyond_skin(model, frames)) rebuild_pairs(model, frames);
+  measure_motions(frames, crew);
   refresh_moved(model, frames);
   const bool changed = disturbed_.size() > before;
-  if (changed) {
-    compact_slots(frames);
-    index_bodies(model.size());
-  }
+  if (changed) compact_slots(frames);
+  if (std::exchange(slots_changed_, false)) index_bodies(model.size());
   for (const Heir& heir : heirs_) hand_over_to(heir, frames);
   heirs_.clear();
   put_blocks_to_sleep(frames);
@@ -336,7 +358,9 @@ bool ContactSet::update(const Model& model, std::span<const Frame> frames) {
 }
 
 std::vector<Index> ContactSet::take_disturbed() {
+  const bool any_roused = points.take_roused();
   for (PointBlock& block : points.blocks()) {
+    if (!any_roused) break;
     if (!std::exchange(block.roused, false)) continue;
     disturbed_.insert(disturbed_.end(), block.a.begin(), block.a.end());
     disturbed_.insert(disturbed_.end(), block.b.begin(), block.b.end());
@@ -344,16 +368,14 @@ std::vector<Index> ContactSet::take_disturbed() {
   return std::exchange(disturbed_, {});
 }
 
-double ContactSet::longest_step(const Model& model, std::span<const Frame> frames) const {
-  const double fastest = fastest_rim(model, frames);
+double ContactSet::longest_step(const Model& model, double speed) const {
   if (!has_contacts_) return std::numeric_limits<double>::infinity();
-  return time_to_go(model, pairs_.empty() ? skin_travel * skin_ : margin_travel * smallest_margin_, fastest);
+  return time_to_go(model, pairs_.empty() ? skin_travel * skin_ : margin_travel * smallest_margin_, speed);
 }
 
-std::size_t ContactSet::steps_until_update(const Model& model, std::span<const Frame> frames,
-                                           double h) const {
+std::size_t ContactSet::steps_until_update(const Model& model, double speed, double h) const {
   const double allowed = 0.5 * smallest_limit_;
-  const double steps = time_to_go(model, 0.5 * allowed, fastest_rim(model, frames)) / h;
+  const double steps = time_to_go(model, 0.5 * allowed, speed) / h;
   return std::max<std::size_t>(1,
                                static_cast<std::size_t>(std::min(steps, static_cast<double>(longest_wait))));
 }

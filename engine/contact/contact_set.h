@@ -30,7 +30,7 @@ class ContactSet {
   double take_inherited() { return std::exchange(inherited_, 0.0); }
   /// Brings pairs and points up to date with the frames. Returns true if any point was added, removed
   /// or replaced (its stability bound may have changed).
-  bool update(const Model& model, std::span<const Frame> frames);
+  bool update(const Model& model, std::span<const Frame> frames, Crew& crew = Crew::alone());
   /// Bodies and terrains whose points have come, gone, changed or been roused since the last call, one
   /// several times perhaps.
   std::vector<Index> take_disturbed();
@@ -41,13 +41,13 @@ class ContactSet {
   /// Whether the points are rigid: without stiffness and dashpots, for an integrator that finds impulses. A
   /// change starts every point afresh where it is.
   void make_rigid(const Model& model, std::span<const Frame> frames, bool rigid);
-  /// Steps of length h that may pass before the next update, whatever the bodies do at their present
-  /// speeds and in free fall (at least 1).
-  std::size_t steps_until_update(const Model& model, std::span<const Frame> frames, double h) const;
+  /// Steps of length h that may pass before the next update, whatever bodies whose fastest_rim() is `speed`
+  /// do at that speed and in free fall (at least 1).
+  std::size_t steps_until_update(const Model& model, double speed, double h) const;
 
-  /// Longest step in which no body can pass from beyond the margin of another to touching it, at the present
-  /// speeds and in free fall (s): contacts are found before they close. Infinite where nothing can touch.
-  double longest_step(const Model& model, std::span<const Frame> frames) const;
+  /// Longest step in which no body can pass from beyond the margin of another to touching it, at that speed
+  /// and in free fall (s): contacts are found before they close. Infinite where nothing can touch.
+  double longest_step(const Model& model, double speed) const;
 
   /// Sums the loads of the pairs over every body and terrain, in a fixed order.
   void gather(std::span<const PairLoad> loads, std::span<Vec2> forces, std::span<double> torques,
@@ -62,6 +62,7 @@ class ContactSet {
   bool moved_beyond_skin(const Model& model, std::span<const Frame> frames) const;
   void watch(const Model& model, std::size_t k);
   double moved(std::size_t k) const { return watches_[k / PairWatch::size].moved[k % PairWatch::size]; }
+  void measure_motions(std::span<const Frame> frames, Crew& crew);
   void refresh_moved(const Model& model, std::span<const Frame> frames);
   void look_at(const Model& model, std::span<const Frame> frames, std::size_t k);
   bool refresh(const Model& model, std::span<const Frame> frames, ContactPair& pair);
@@ -88,8 +89,13 @@ class ContactSet {
   bool has_contacts_ = false;
   std::vector<ContactPair> pairs_;
   std::vector<PairWatch> watches_;  // of eight pairs each
-  std::vector<Index> free_slots_;   // first points
-  std::size_t entered_ = 0;         // pairs, since the slots were compacted
+  struct Seen {
+    double smallest_limit = 0.0;  // m
+    bool beyond_limit = false;    // a pair of them
+  };
+  std::vector<Seen> seen_;         // of each of them
+  std::vector<Index> free_slots_;  // first points
+  std::size_t entered_ = 0;        // pairs, since the slots were compacted
   std::vector<Index> disturbed_;
   std::vector<BodyPair> held_;
   std::vector<PairDamping> tied_;
@@ -97,9 +103,13 @@ class ContactSet {
   double inherited_ = 0.0;  // J
   std::vector<Vec2> skin_position_;
   std::vector<double> skin_angle_;
-  std::vector<std::size_t> first_;      // of each body, into touches_
   std::vector<std::uint32_t> touches_;  // a pair's first point, plus one for its second body
-  std::vector<char> sleeps_;            // of each block of points
+  std::vector<Index> first_;            // of each body, into touches_
+  bool slots_changed_ = false;          // since the bodies were indexed
+  std::vector<char> sleeps_, slept_;    // of each block of points, now and before
 };
+
+/// Greatest speed of any point of a body that can touch, relative to the ground that moves all of them (m/s).
+double fastest_rim(const Model& model, std::span<const Frame> frames);
 
 }  // namespace dougong::engine

@@ -131,7 +131,7 @@ double as_the_engine_does(const Film& film) {
   return timed(film, film.poses.size(), [&](const Poses& poses) {
     if (wait-- > 0) return;
     contacts.update(film.model, poses);
-    wait = contacts.steps_until_update(film.model, poses, film.step) - 1;
+    wait = contacts.steps_until_update(film.model, engine::fastest_rim(film.model, poses), film.step) - 1;
   });
 }
 
