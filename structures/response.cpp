@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "structures/loss.h"
+#include "structures/shear_drift.h"
 
 namespace dougong::structures {
 namespace {
@@ -115,8 +116,10 @@ StoreyResponse storey_response(const Run& run, std::size_t index, const StoreyRe
   response.is_base = storey.is_base;
   add_floor_histories(run, storey, loss.step, response);
   add_drift(run, below, loss.step, response);
+  response.shear_drift = shear_drift(run.building, run.trajectory, run.losses, index, response.drift);
   add_mass_lost(run, storey, response);
   response.peak_drift = envelope_of(response.drift, times, loss.step);
+  response.peak_shear_drift = envelope_of(response.shear_drift, times, loss.step);
   response.peak_acceleration = envelope_of(response.floor_acceleration, times, loss.step);
   if (loss.step != never) {
     response.lost_at = times[loss.step];

@@ -89,9 +89,11 @@ struct StoreyResponse {
   double height = 0.0;                     // m
   bool is_base = false;                    // of isolators: no interstorey drift counts there
   std::vector<double> drift;               // nt, -, frozen once lost
+  std::vector<double> shear_drift;         // nt, -, without the rotation of its base (shear_drift.h)
   std::vector<double> floor_displacement;  // nt, m, relative to the ground
   std::vector<double> floor_acceleration;  // nt, m/s2, absolute
   Envelope peak_drift;                     // before any loss
+  Envelope peak_shear_drift;               // before any loss
   Envelope peak_acceleration;              // m/s2, before any loss
   double residual_drift = 0.0;             // -, mean of the last second, or at the loss
   double original_mass = 0.0;              // kg

@@ -128,7 +128,11 @@ std::string to_string(FaceLimit limit) {
 }
 
 std::vector<FaceLoad> face_loads(const engine::Model& model, const engine::State& state) {
-  const auto frames = engine::frames_of(model, state, true);
+  return face_loads(model, state, engine::frames_of(model, state, true));
+}
+
+std::vector<FaceLoad> face_loads(const engine::Model& model, const engine::State& state,
+                                 std::span<const engine::Frame> frames) {
   std::vector<FaceLoad> faces;
   for (std::size_t bond = 0; 2 * bond < model.bond_points.size(); ++bond)
     if (!state.bonds.history[2 * bond].gone() || !state.bonds.history[2 * bond + 1].gone())

@@ -40,6 +40,9 @@ struct FaceLoad {
 /// Bonds first, in the scene's order, then the pairs that touch. A bond that has broken altogether is left
 /// out.
 std::vector<FaceLoad> face_loads(const engine::Model& model, const engine::State& state);
+/// The same in motion, `frames` those of the state: bonds by their springs, contacts with their dashpots.
+std::vector<FaceLoad> face_loads(const engine::Model& model, const engine::State& state,
+                                 std::span<const engine::Frame> frames);
 
 /// Places in the list, the most used first.
 std::vector<std::size_t> by_use(const std::vector<FaceLoad>& faces);

@@ -65,6 +65,10 @@ std::string drift_csv(const RunResult& run) {
   return storeys_csv(run, "interstorey drift ratio (1)", &StoreyResponse::drift);
 }
 
+std::string shear_drift_csv(const RunResult& run) {
+  return storeys_csv(run, "drift ratio without base rotation (1)", &StoreyResponse::shear_drift);
+}
+
 std::string acceleration_csv(const RunResult& run) {
   return storeys_csv(run, "floor acceleration absolute (m/s2)", &StoreyResponse::floor_acceleration);
 }

@@ -13,6 +13,7 @@ namespace dougong::app {
 std::string csv_text(const std::string& text);
 
 std::string drift_csv(const RunResult& run);         // time; drift and lost of every storey
+std::string shear_drift_csv(const RunResult& run);   // the same without the rotation of the storeys' bases
 std::string acceleration_csv(const RunResult& run);  // time; absolute floor acceleration and lost
 std::string roof_and_base_shear_csv(const RunResult& run);
 /// Each bond with its storey, and how and when it cracked and broke.

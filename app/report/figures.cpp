@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "app/report/moved_joints_report.h"
 #include "app/report/text.h"
 #include "app/report/weight_joints_report.h"
 #include "app/study/floor_spectra.h"
@@ -102,6 +103,9 @@ std::vector<NamedFigure> all_figures(const RunResult& run) {
   if (!run.response.roof_displacement.empty()) {
     out.push_back({"roof_and_base_shear", shear_words(run), roof_and_base_shear_figure(run)});
   }
+  if (!run.moved_joints.empty())
+    out.push_back({"joints", "The building at rest; every joint coloured by how far it opened or slid.",
+                   moved_joints_figure(run.model, run.moved_joints)});
   add_loops_and_floors(run, out);
   if (run.collapse.happened())
     out.push_back(

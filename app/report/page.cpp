@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/report/moved_joints_report.h"
 #include "app/report/page_frame.h"
 #include "app/report/weight_joints_report.h"
 
@@ -20,6 +21,7 @@ std::string report_page(const RunResult& run, const std::vector<Picture>& pictur
                                     {"motion", "The ground motion", page_motion(run, pictures)},
                                     {"response", "The response", page_response(run, pictures)},
                                     {"screening", "Against the limits of standards", page_screening(run)},
+                                    {"joints", "The joints", page_moved_joints(run, pictures)},
                                     {"damage", "Damage of the bonds", page_damage(run)},
                                     {"fall", "How it fell", page_collapse(run, pictures)},
                                     {"spread", "How sure", page_spread(run)},

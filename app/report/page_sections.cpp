@@ -85,11 +85,12 @@ Html drift_table(const RunResult& run) {
     const auto& [plus, minus] = s->peak_drift;
     rows.push_back({s->name, signed_fixed(100 * plus.value, 3), drift_fraction(plus.value),
                     fixed(plus.time, 2), signed_fixed(100 * minus.value, 3), drift_fraction(minus.value),
-                    fixed(minus.time, 2), signed_fixed(100 * s->residual_drift, 3), lost_words(*s)});
+                    fixed(minus.time, 2), signed_fixed(100 * s->residual_drift, 3),
+                    signed_fixed(100 * s->peak_shear_drift.largest().value, 3), lost_words(*s)});
   }
   return table(
       "Peak interstorey drift ratio of both signs, before any loss; residual: mean of the last second, or "
-      "the value at the loss",
+      "the value at the loss; sheared: the peak without the rotation of the storey's base",
       {{"Storey", "", false},
        {"Peak +", "%"},
        {"as", "1/n"},
@@ -98,6 +99,7 @@ Html drift_table(const RunResult& run) {
        {"as", "1/n"},
        {"at", "s"},
        {"Residual", "%"},
+       {"Sheared", "%"},
        {"State", ""}},
       rows);
 }

@@ -6,6 +6,7 @@
 #include "app/report/csv.h"
 #include "app/report/figures.h"
 #include "app/report/model_svg.h"
+#include "app/report/moved_joints_report.h"
 #include "app/report/page.h"
 #include "app/report/report_output.h"
 #include "app/report/safe_file.h"
@@ -26,12 +27,14 @@ constexpr double first_screen_width = 330;  // px at 1x, beside the drift profil
 
 void write_tables(const RunResult& run, Output& output) {
   output.write("drift.csv", drift_csv(run));
+  output.write("shear_drift.csv", shear_drift_csv(run));
   output.write("acceleration.csv", acceleration_csv(run));
   output.write("roof_and_base_shear.csv", roof_and_base_shear_csv(run));
   output.write("energy.csv", energy_csv(run));
   if (!run.model.bonded.empty()) output.write("damage.csv", damage_csv(run));
   output.write("motion.csv", motion_csv(run));
   if (!run.weight_joints.empty()) output.write("weight_joints.csv", weight_joints_csv(run.weight_joints));
+  if (!run.moved_joints.empty()) output.write("joints.csv", moved_joints_csv(run.moved_joints));
   if (const FloorSpectra spectra = floor_spectra(run); !spectra.floors.empty())
     output.write("floor_spectra.csv", floor_spectra_csv(spectra));
   if (!run.screening.checks.empty()) output.write("screening.csv", screening_csv(run.screening));

@@ -112,6 +112,30 @@ void walk_weight(A& a, J& joints) {
   });
 }
 
+template <class A, class J>
+void walk_joint_peak(A& a, const std::string& name, const char* unit, J& joints,
+                     structures::Peak MovedJoint::*peak) {
+  a.column(name, unit, joints, peak, &structures::Peak::value);
+  a.column(name + "_time", "s", joints, peak, &structures::Peak::time);
+}
+
+template <class A, class J>
+void walk_moved_joints(A& a, J& joints) {
+  a.table("joints", joints, [&] {
+    a.column("name", "", joints, &MovedJoint::name);
+    a.column("bonded", "", joints, &MovedJoint::bonded);
+    a.column("start", "m", joints, &MovedJoint::start);
+    a.column("end", "m", joints, &MovedJoint::end);
+    walk_joint_peak(a, "opening", "m", joints, &MovedJoint::opening);
+    walk_joint_peak(a, "slip", "m", joints, &MovedJoint::slip);
+    a.column("residual_opening", "m", joints, &MovedJoint::residual_opening);
+    a.column("residual_slip", "m", joints, &MovedJoint::residual_slip);
+    walk_joint_peak(a, "compression", "N", joints, &MovedJoint::compression);
+    walk_joint_peak(a, "tension", "N", joints, &MovedJoint::tension);
+    walk_joint_peak(a, "shear", "N", joints, &MovedJoint::shear);
+  });
+}
+
 template <class A, class R>
 void walk_trajectory(A& a, R& trajectory) {
   a.field("times", "s", trajectory.times);
@@ -146,6 +170,8 @@ void walk_storey(A& a, S& storey) {
   a.field("floor_acceleration", "m/s2", storey.floor_acceleration);
   walk_envelope(a, "peak_drift", "1", storey.peak_drift);
   walk_envelope(a, "peak_acceleration", "m/s2", storey.peak_acceleration);
+  a.optional_field("shear_drift", "1", storey.shear_drift);
+  a.optional_group("peak_shear_drift", [&] { walk_signed_peaks(a, "1", storey.peak_shear_drift); });
   a.field("residual_drift", "1", storey.residual_drift);
   a.field("original_mass", "kg", storey.original_mass);
   a.field("mass_lost", "1", storey.mass_lost);
@@ -329,6 +355,7 @@ void walk_run(A& a, Run& run) {
     a.field("unbalanced_ratio", "1", run.settle.unbalanced_ratio);
   });
   a.optional_group("weight", [&] { walk_weight(a, run.weight_joints); });
+  a.optional_group("joints", [&] { walk_moved_joints(a, run.moved_joints); });
   a.group("trajectory", [&] { walk_trajectory(a, run.trajectory); });
   a.group("response", [&] { walk_response(a, run.response); });
   a.optional_group("collapse", [&] { walk_collapse(a, run.collapse); });

@@ -68,12 +68,14 @@ class Reader {
   }
   template <class Row, class T>
   void column(const std::string& name, const char* unit, std::vector<Row>& rows, T Row::*member) {
-    std::vector<T> values;
-    field(name, unit, values);
-    if (rows.empty()) rows.resize(values.size());
-    if (rows.size() != values.size())
-      throw h5::Error("column " + name + " has another length than its table");
+    std::vector<T> values = column_of<T>(name, unit, rows);
     for (std::size_t i = 0; i < rows.size(); ++i) rows[i].*member = std::move(values[i]);
+  }
+  template <class Row, class Member, class T>
+  void column(const std::string& name, const char* unit, std::vector<Row>& rows, Member Row::*member,
+              T Member::*part) {
+    const std::vector<T> values = column_of<T>(name, unit, rows);
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i].*member.*part = values[i];
   }
 
   void field(const std::string& name, const char*, double& value) {
@@ -136,6 +138,16 @@ class Reader {
   }
 
  private:
+  /// As long as the table, which the first of its columns makes so.
+  template <class T, class Row>
+  std::vector<T> column_of(const std::string& name, const char* unit, std::vector<Row>& rows) {
+    std::vector<T> values;
+    field(name, unit, values);
+    if (rows.empty()) rows.resize(values.size());
+    if (rows.size() != values.size())
+      throw h5::Error("column " + name + " has another length than its table");
+    return values;
+  }
   template <class T>
   static T one(std::vector<T> values, const std::string& name) {
     if (values.size() != 1) throw h5::Error("dataset " + name + " is not a single value");

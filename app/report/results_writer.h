@@ -49,6 +49,14 @@ class ResultsWriter {
     for (const Row& row : rows) values.push_back(row.*member);
     field(name, unit, values);
   }
+  /// A part of a member.
+  template <class Row, class Member, class T>
+  void column(const std::string& name, const char* unit, const std::vector<Row>& rows, Member Row::*member,
+              T Member::*part) {
+    std::vector<T> values;
+    for (const Row& row : rows) values.push_back(row.*member.*part);
+    field(name, unit, values);
+  }
 
   void field(const std::string& name, const char* unit, double value) {
     h5::write_numbers(here_, name, unit, {}, &value);

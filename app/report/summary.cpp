@@ -41,6 +41,7 @@ Json storey_part(const structures::StoreyResponse& storey) {
   return {{"name", storey.name},
           {"height", metric(storey.height, "m")},
           {"peak_drift_ratio", both_signs(storey.peak_drift, "1")},
+          {"peak_shear_drift_ratio", both_signs(storey.peak_shear_drift, "1")},
           {"residual_drift_ratio", metric(storey.residual_drift, "1")},
           {"peak_floor_acceleration", both_signs(storey.peak_acceleration, "m/s2")},
           {"mass_lost", metric(storey.mass_lost.empty() ? 0.0 : storey.mass_lost.back(), "1")},
@@ -62,6 +63,22 @@ Json largest_drift(const structures::Response& response) {
   return out;
 }
 
+/// The joint that a peak is largest of: the peak, with its joint's name.
+Json joint_peak(const RunResult& run, Peak MovedJoint::*peak) {
+  const auto size = [&](const MovedJoint& joint) { return std::abs((joint.*peak).value); };
+  const auto most = std::ranges::max_element(run.moved_joints, {}, size);
+  const bool none = most == run.moved_joints.end();
+  Json out = none ? metric(0.0, "m") : metric((*most).*peak, "m");
+  out["joint"] = none ? "" : most->name;
+  return out;
+}
+
+Json joints_part(const RunResult& run) {
+  return {{"count", run.moved_joints.size()},
+          {"widest_opening", joint_peak(run, &MovedJoint::opening)},
+          {"farthest_slip", joint_peak(run, &MovedJoint::slip)}};
+}
+
 Json metrics_part(const RunResult& run) {
   const auto& r = run.response;
   Json storeys = Json::array();
@@ -76,6 +93,7 @@ Json metrics_part(const RunResult& run) {
           {"first_loss_of_support", number(r.first_loss_of_support)},
           {"blocks_lost", metric(static_cast<double>(r.losses.size()), "1")},
           {"fallen_mass_fraction", metric(r.fallen_mass_fraction, "1")},
+          {"joints", joints_part(run)},
           {"storeys", storeys}};
 }
 

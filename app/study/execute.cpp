@@ -176,6 +176,8 @@ RunResult gathered(RunResult result, const Preparation& p, const engine::RunOutc
   if (result.verdict.kind != structures::VerdictKind::numerically_invalid)
     result.collapse = structures::describe_collapse(p.building, recorder.trajectory, p.scenario.loss);
   result.screening = screening_of(p.scenario.screening, p.building, result.response, result.verdict);
+  result.moved_joints =
+      moved_joints(p.building.scene, p.model, recorder.joints, recorder.trajectory, result.response.losses);
   result.model.bonded = std::move(recorder.bonds);
   result.trajectory = std::move(recorder.trajectory);
   result.energy = std::move(recorder.energies.energy);

@@ -4,22 +4,27 @@
 #include <cmath>
 
 namespace dougong::app {
+
 Recorder::Recorder(const Preparation& preparation, std::vector<DrawnBond> described)
     : bonds(std::move(described)), preparation_(preparation) {
   trajectory.blocks = preparation.model.body_count;
+  if (preparation.settle.settled)
+    joints = {structures::face_loads(preparation.model, preparation.state), preparation.model,
+              preparation.state};
 }
 
 void Recorder::note(const engine::Sample& sample) {
-  note_motion(sample);
+  const auto frames = engine::frames_of(preparation_.model, sample.state);
+  note_motion(sample, frames);
+  joints.note(preparation_.model, sample.state, frames);
   energies.note(preparation_.model, sample.state);
   note_damage(preparation_.model, sample.state, bonds);
   note_drift();
 }
 
-void Recorder::note_motion(const engine::Sample& sample) {
+void Recorder::note_motion(const engine::Sample& sample, std::span<const engine::Frame> frames) {
   const engine::Model& model = preparation_.model;
   const std::size_t n = model.body_count;
-  const auto frames = engine::frames_of(model, sample.state);
   const engine::MotionSample ground = preparation_.motion.ground->at(sample.state.time);
   trajectory.times.push_back(sample.state.time);
   trajectory.ground_displacement.push_back(ground.displacement);

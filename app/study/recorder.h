@@ -3,6 +3,7 @@
 
 #include "app/study/execute.h"
 #include "app/study/run_sheets.h"
+#include "structures/joint_response.h"
 
 namespace dougong::app {
 
@@ -20,9 +21,10 @@ class Recorder {
   EnergyRecorder energies;
   std::vector<double> overlap_ratio;
   std::vector<DrawnBond> bonds;
+  structures::JointForceRecorder joints;  // of a building that settled
 
  private:
-  void note_motion(const engine::Sample& sample);
+  void note_motion(const engine::Sample& sample, std::span<const engine::Frame> frames);
   void note_drift();
   double level_displacement(const std::vector<std::size_t>& blocks) const;
 

@@ -135,6 +135,17 @@ struct WeightJoint {
   std::string limit = {};                   // which that is
 };
 
+/// How far a joint opened and slid during the motion, and what it bore (structures/joint_response.h).
+struct MovedJoint {
+  std::string name;
+  bool bonded = false;
+  engine::Vec2 start, end;                       // m, of the face at rest
+  structures::Peak opening, slip;                // m
+  double residual_opening = 0.0;                 // m
+  double residual_slip = 0.0;                    // m
+  structures::Peak compression, tension, shear;  // N
+};
+
 struct Numerics {
   std::string integrator;
   double step = 0.0;   // s, smallest used
@@ -196,6 +207,7 @@ struct RunResult {
   MotionSheet motion;
   SettleSheet settle;
   std::vector<WeightJoint> weight_joints;  // the most used first; empty where it did not settle
+  std::vector<MovedJoint> moved_joints;    // those that opened or slid farthest first; empty as well
   structures::Trajectory trajectory;
   structures::Response response;
   structures::Collapse collapse;  // nothing happened where the numbers failed

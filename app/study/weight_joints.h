@@ -1,13 +1,20 @@
-// What the joints of a building bear under its weight alone, by name.
+// The joints of a building by name: what they bear under its weight alone, and what they did in a run.
 #pragma once
 
 #include "app/study/run_result.h"
 #include "engine/state.h"
+#include "structures/joint_response.h"
 
 namespace dougong::app {
 
 /// The most used first. `state` is at rest under the weight.
 std::vector<WeightJoint> weight_joints(const engine::Scene& scene, const engine::Model& model,
                                        const engine::State& state);
+
+/// Those that opened or slid farthest first.
+std::vector<MovedJoint> moved_joints(const engine::Scene& scene, const engine::Model& model,
+                                     const structures::JointForceRecorder& recorder,
+                                     const structures::Trajectory& trajectory,
+                                     const std::vector<structures::BlockLoss>& losses);
 
 }  // namespace dougong::app

@@ -197,6 +197,28 @@ void add_paperwork(RunResult& run, const Shaking& s) {
   run.weight_joints = {
       {"S1.column.left / ground", false, {-3, 0}, {-2.7, 0}, 3.4e5, 120, 0.06, 1.3e6, 0, 0.06, "turning"},
       {"S1.slab / S1.column.left", true, {-3, 2.8}, {-2.7, 2.8}, 2.5e5, -40, 0.02, 9e5, 0, 0.01, "shear"}};
+  run.moved_joints = {{"S1.column.left / ground",
+                       false,
+                       {-3, 0},
+                       {-2.7, 0},
+                       {0.012, 9.5},
+                       {-0.034, 12.0},
+                       0.001,
+                       -0.03,
+                       {4.1e5, 9.6},
+                       {0, 0},
+                       {-6e4, 9.4}},
+                      {"S1.slab / S1.column.left",
+                       true,
+                       {-3, 2.8},
+                       {-2.7, 2.8},
+                       {2e-4, 9.4},
+                       {1e-5, 9.4},
+                       0,
+                       0,
+                       {2.9e5, 9.6},
+                       {1e4, 9.5},
+                       {4e4, 9.4}}};
   Numerics& n = run.numerics;
   n.integrator = "velocity Verlet";
   n.step = 2e-5;
