@@ -82,7 +82,7 @@ Image film_image(const RunResult& run, const Frame& frame, const SceneView& view
   if (!has_instruments(run)) return evened(scene);
   Image image(static_cast<int>(film_width), scene.height + motion_strip_height);
   image.paste(scene, 0, 0);
-  draw_drift_bars(image, run, frame.step, scene.width, scene.height);
+  draw_drift_bars(image, run, frame.time, scene.width, scene.height);
   draw_motion_strip(image, run, frame.time, scene.height);
   return evened(image);
 }

@@ -22,7 +22,7 @@ std::string report_page(const RunResult& run, const std::vector<Picture>& pictur
                                     {"screening", "Against the limits of standards", page_screening(run)},
                                     {"damage", "Damage of the bonds", page_damage(run)},
                                     {"fall", "How it fell", page_collapse(run, pictures)},
-                                    {"spread", "How sure", page_spread(run)},
+                                    {"spread", "How sure", page_spread(run, pictures)},
                                     {"energy", "Energy balance", page_energy(run, pictures)},
                                     {"film", "What it looked like", page_film(run, pictures)},
                                     {"numerics", "Numerical quality", page_numerics(run, pictures)},
