@@ -25,10 +25,11 @@ bool has_long_word(const std::string& value) {
   return std::ranges::any_of(value, [&](char c) { return (letters = c == ' ' ? 0 : letters + 1) > longest; });
 }
 
-/// A sentence needs some width, where a word takes its own.
+/// A sentence needs some width; "100 MN/m" stays on one line.
 const char* style_of(const std::string& value) {
-  constexpr std::size_t words = 24;  // letters of a cell
-  return has_long_word(value) ? "wide long" : value.size() > words ? "wide words" : "wide";
+  constexpr std::size_t one_line = 12, words = 24;  // letters of a cell
+  if (has_long_word(value)) return "wide long";
+  return value.size() > words ? "wide words" : value.size() <= one_line ? "wide short" : "wide";
 }
 
 std::string cell(const Heading& h, const std::string& value, bool first) {

@@ -60,9 +60,9 @@ TEST(OutputTimes, KeepTheFirstOfEachTickTheMomentsAndTheLast) {
   for (int i = 0; i <= 100; ++i) times.push_back(0.01 * i);
   EXPECT_EQ(kept_steps(times, 100.0, {}).size(), 101u);
   EXPECT_EQ(kept_steps(times, 1000.0, {}).size(), 101u) << "no more than there are";
-  EXPECT_THAT(kept_steps(times, 4.0, {}), testing::ElementsAre(0, 25, 50, 75, 100));
-  EXPECT_THAT(kept_steps(times, 3.0, {}), testing::ElementsAre(0, 34, 67, 100));
-  EXPECT_THAT(kept_steps(times, 0.5, {{0.123, "peak"}, {0.0, "start"}}), testing::ElementsAre(0, 12, 100));
+  EXPECT_THAT(kept_steps(times, 4.0, {}), ::testing::ElementsAre(0, 25, 50, 75, 100));
+  EXPECT_THAT(kept_steps(times, 3.0, {}), ::testing::ElementsAre(0, 34, 67, 100));
+  EXPECT_THAT(kept_steps(times, 0.5, {{0.123, "peak"}, {0.0, "start"}}), ::testing::ElementsAre(0, 12, 100));
   EXPECT_TRUE(kept_steps({}, 50.0, {}).empty());
 }
 
