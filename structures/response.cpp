@@ -264,21 +264,21 @@ Response compute_response(const Building& building, const Trajectory& trajectory
   return response;
 }
 
-Trajectory ends_of(const Trajectory& whole) {
-  Trajectory ends;
-  ends.blocks = whole.blocks;
+Trajectory at_steps(const Trajectory& whole, const std::vector<std::size_t>& steps) {
+  Trajectory part;
+  part.blocks = whole.blocks;
   const auto row = [&](const auto& from, auto& to, std::size_t step, std::size_t width) {
     const auto first = from.begin() + static_cast<std::ptrdiff_t>(step * width);
     to.insert(to.end(), first, first + static_cast<std::ptrdiff_t>(width));
   };
-  for (const std::size_t step : {std::size_t{0}, whole.times.size() - 1}) {
-    row(whole.times, ends.times, step, 1);
-    row(whole.poses, ends.poses, step, 3 * whole.blocks);
-    row(whole.ground_displacement, ends.ground_displacement, step, 1);
-    row(whole.ground_reaction, ends.ground_reaction, step, 1);
-    row(whole.accelerations, ends.accelerations, step, whole.blocks);
+  for (const std::size_t step : steps) {
+    row(whole.times, part.times, step, 1);
+    row(whole.poses, part.poses, step, 3 * whole.blocks);
+    row(whole.ground_displacement, part.ground_displacement, step, 1);
+    row(whole.ground_reaction, part.ground_reaction, step, 1);
+    row(whole.accelerations, part.accelerations, step, whole.blocks);
   }
-  return ends;
+  return part;
 }
 
 std::optional<double> total_loss(const Building& building, const Trajectory& trajectory,

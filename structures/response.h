@@ -69,8 +69,8 @@ struct Trajectory {
 /// Throws std::invalid_argument, naming what does not fit, when the trajectory is not the building's.
 void require_matching(const Building& building, const Trajectory& trajectory);
 
-/// Its first and its last output time alone; it must have one.
-Trajectory ends_of(const Trajectory& trajectory);
+/// These of its output times alone.
+Trajectory at_steps(const Trajectory& trajectory, const std::vector<std::size_t>& steps);
 
 struct Peak {
   double value = 0.0;  // signed

@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "app/cli/run_text.h"
 #include "app/report/film.h"
 #include "app/report/safe_file.h"
+#include "app/study/output_times.h"
 
 namespace dougong::app {
 namespace {
@@ -22,15 +25,23 @@ void require_free(const fs::path& path, bool force) {
     throw FileError(path, "write the film", "it is there already; --force writes over it");
 }
 
-/// Frames that are no output times of their own look frozen.
+double longest_interval(const std::vector<double>& times) {
+  double longest = 0.0;
+  for (std::size_t i = 1; i < times.size(); ++i) longest = std::max(longest, times[i] - times[i - 1]);
+  return longest;
+}
+
+/// Frames without a state of their own look frozen.
 void say_rate(const RunResult& run, const FilmOptions& options, const Terminal& terminal) {
-  const auto& times = run.trajectory.times;
-  const double wanted = options.frames_a_second * options.slow;
-  if (times.size() < 2 || wanted * (times[1] - times[0]) < 1.001) return;
+  const double wanted = options.frames_a_second * options.slow, has = longest_interval(run.trajectory.times);
+  if (wanted * has < 1.001) return;
+  const double outputs = longest_interval(output_times(run));
+  const std::string more =
+      wanted * outputs < 1.001 ? "" : fmt::format(" --set output.rate=\"{:.0f} Hz\"", wanted);
   terminal.line(
       row("film", fmt::format("it shows {:.0f} moments a second of the run and has {:.0f}; smoother with "
-                              "--set output.rate=\"{:.0f} Hz\"",
-                              wanted, 1.0 / (times[1] - times[0]), wanted)),
+                              "--set output.state_rate=\"{:.0f} Hz\"{}",
+                              wanted, 1.0 / has, wanted, more)),
       Tone::doubtful);
 }
 

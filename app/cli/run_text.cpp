@@ -8,6 +8,7 @@
 #include "app/report/screening_text.h"
 #include "app/report/spread_text.h"
 #include "app/report/text.h"
+#include "app/report/weight_joints_report.h"
 #include "engine/integrators/table.h"
 
 namespace dougong::app {
@@ -166,6 +167,7 @@ std::vector<ToneLine> answer_text(const RunResult& r) {
   std::vector<ToneLine> lines{{"", Tone::plain}, {r.verdict.headline, tone_of(r.verdict.kind)}};
   if (r.partial)
     lines.push_back({"  INTERRUPTED: the results end where the run was stopped", Tone::doubtful});
+  if (!r.weight_joints.empty()) lines.push_back({row("weight alone", weight_text(r.weight_joints))});
   lines.push_back({row("peak drift", drift_text(r.response))});
   lines.push_back({row("residual", residual_text(r.response))});
   lines.push_back({row("response", shear_text(r.response))});

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/report/text.h"
+#include "app/study/output_times.h"
 
 namespace dougong::app {
 namespace {
@@ -26,20 +27,13 @@ std::vector<double> candidates(const std::vector<RunResult>& runs) {
   return times;
 }
 
-std::string caption_at(const RunResult& run, double time) {
-  if (time > end_of(run) + near) return "ended at " + seconds(end_of(run));
+// told: an earlier picture shows the end.
+std::string caption_at(const RunResult& run, double time, bool told) {
+  if (time > end_of(run) + near) return told ? "the run has ended" : "end";
   std::string caption;
   for (const Moment& moment : run.moments)
     if (std::abs(moment.time - time) <= near) caption += (caption.empty() ? "" : "; ") + moment.caption;
   return caption;
-}
-
-std::size_t step_at(const std::vector<double>& times, double time) {
-  const auto after = std::lower_bound(times.begin(), times.end(), time);
-  if (after == times.begin()) return 0;
-  if (after == times.end()) return times.size() - 1;
-  const auto i = static_cast<std::size_t>(after - times.begin());
-  return time - times[i - 1] < times[i] - time ? i - 1 : i;
 }
 
 }  // namespace
@@ -61,8 +55,9 @@ std::vector<Frame> frames_at(const RunResult& run, const std::vector<double>& ti
   std::vector<Frame> frames;
   if (run.trajectory.times.empty()) return frames;
   for (const double time : times) {
-    const std::size_t step = step_at(run.trajectory.times, time);
-    frames.push_back({step, run.trajectory.times[step], caption_at(run, time)});
+    const std::size_t step = nearest_step(run.trajectory.times, time);
+    const bool told = !frames.empty() && frames.back().step == step;
+    frames.push_back({step, run.trajectory.times[step], caption_at(run, time, told)});
   }
   return frames;
 }

@@ -5,6 +5,7 @@
 
 #include "app/report/text.h"
 #include "app/study/floor_spectra.h"
+#include "app/study/output_times.h"
 
 namespace dougong::app {
 namespace {
@@ -105,14 +106,14 @@ std::string floor_spectra_csv(const FloorSpectra& spectra) {
 
 std::string energy_csv(const RunResult& run) {
   const EnergyHistory& e = run.energy;
-  std::vector<Column> columns{numbers("time (s)", run.trajectory.times), numbers("input (J)", e.input),
-                              numbers("kinetic (J)", e.kinetic),         numbers("gravity (J)", e.gravity),
-                              numbers("elastic (J)", e.elastic),         numbers("friction (J)", e.friction),
-                              numbers("damping (J)", e.damping),         numbers("error (J)", e.error)};
+  std::vector<Column> columns{numbers("time (s)", output_times(run)), numbers("input (J)", e.input),
+                              numbers("kinetic (J)", e.kinetic),      numbers("gravity (J)", e.gravity),
+                              numbers("elastic (J)", e.elastic),      numbers("friction (J)", e.friction),
+                              numbers("damping (J)", e.damping),      numbers("error (J)", e.error)};
   if (run.model.bonds > 0) columns.insert(columns.end() - 1, numbers("fracture (J)", e.fracture));
   if (std::ranges::any_of(e.field, [](double value) { return value != 0.0; }))
     columns.insert(columns.end() - 1, numbers("field (J)", e.field));
-  return table(columns, run.trajectory.times.size());
+  return table(columns, output_times(run).size());
 }
 
 std::string motion_csv(const RunResult& run) {

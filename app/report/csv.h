@@ -22,6 +22,10 @@ struct FloorSpectra;
 /// Period; pseudo-acceleration of the ground and of every floor.
 std::string floor_spectra_csv(const FloorSpectra& spectra);
 std::string energy_csv(const RunResult& run);
+/// A row a run: its verdict and metrics.
+std::string ensemble_csv(const EnsembleSheet& ensemble);
+/// Roof displacement over height, a column a run; empty once a storey of it was lost.
+std::string ensemble_roof_drift_csv(const EnsembleSheet& ensemble);
 std::string motion_csv(const RunResult& run);
 
 struct SceneResult;

@@ -7,6 +7,7 @@
 #include "app/report/figures.h"
 #include "app/report/histories.h"
 #include "app/report/text.h"
+#include "app/study/output_times.h"
 
 namespace dougong::app {
 namespace {
@@ -67,7 +68,7 @@ double largest(const std::vector<Band>& bands, const Lines& lines) {
 
 /// Columns: time, 0, the sums of the bands one by one, input, supply, error.
 std::string data_of(const RunResult& run, const std::vector<Band>& bands, const Lines& lines, double factor) {
-  const auto& times = run.trajectory.times;
+  const auto& times = output_times(run);
   const std::size_t rows = std::min(times.size(), lines.input.size()), stride = rows / most_rows + 1;
   std::string out;
   for (std::size_t k = 0; k < rows; k += stride)
@@ -103,7 +104,7 @@ Figure energy_stack_figure(const RunResult& run) {
   std::erase_if(bands, [&](const Band& b) { return std::ranges::max(b.values) < unseen * most; });
   const auto [factor, unit] = energy_unit(most);
   const bool gravity_gave = std::ranges::max(lines.supply) > 1.01 * std::ranges::max(lines.input);
-  const auto& times = run.trajectory.times;
+  const auto& times = output_times(run);
   Figure figure{width, height, "", {{"stack.txt", data_of(run, bands, lines, factor)}}};
   figure.script = plain_style() + margins({left, width - right, top, height - bottom}, width, height) +
                   fmt::format("set xrange [{:.9g}:{:.9g}]\nset yrange [{:.6g}:{:.6g}]\n", times.front(),

@@ -110,6 +110,11 @@ std::vector<NamedFigure> all_figures(const RunResult& run) {
   if (run.collapse.happened())
     out.push_back(
         {"mass_lost", "Part of each storey's mass that was lost, against time.", mass_lost_figure(run)});
+  if (has_ensemble_figure(run))
+    out.push_back({"ensemble",
+                   "Roof drift of every run of the ensemble against time, the one described bold; below, the "
+                   "peak drift of each, their spread, and the change by half the step.",
+                   ensemble_figure(run)});
   add_balance(run, out);
   return out;
 }

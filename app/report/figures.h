@@ -27,6 +27,10 @@ Figure floor_spectra_figure(const RunResult& run);
 /// Where the energy is and went, stacked.
 Figure energy_stack_figure(const RunResult& run);
 Figure overlap_figure(const RunResult& run);
+/// Roof drift of every member over time, and their peaks beside the change by half the step. Needs members
+/// that have histories.
+Figure ensemble_figure(const RunResult& run);
+bool has_ensemble_figure(const RunResult& run);
 
 /// "two-storey slabs on SYN1 / EW": the line under every title.
 std::string run_line(const RunResult& run);

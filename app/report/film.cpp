@@ -26,7 +26,9 @@ std::string caption_at(const RunResult& run, double time, const FilmOptions& opt
     if (moment.time <= time + 1e-9 && time - moment.time < caption_lasts / options.slow)
       caption = moment.caption;
   if (options.slow == 1.0) return caption;
-  return fmt::format("{}{:g} times slowed", caption.empty() ? "" : caption + "; ", options.slow);
+  const std::string speed = options.slow > 1.0 ? fmt::format("{:g} times slowed", options.slow)
+                                               : fmt::format("{:g} times faster", 1.0 / options.slow);
+  return (caption.empty() ? "" : caption + "; ") + speed;
 }
 
 // Even sizes, which the usual encoding of films needs.
@@ -82,7 +84,7 @@ Image film_image(const RunResult& run, const Frame& frame, const SceneView& view
   if (!has_instruments(run)) return evened(scene);
   Image image(static_cast<int>(film_width), scene.height + motion_strip_height);
   image.paste(scene, 0, 0);
-  draw_drift_bars(image, run, frame.step, scene.width, scene.height);
+  draw_drift_bars(image, run, frame.time, scene.width, scene.height);
   draw_motion_strip(image, run, frame.time, scene.height);
   return evened(image);
 }

@@ -8,6 +8,7 @@
 #include "app/report/axis.h"
 #include "app/report/lettering.h"
 #include "app/report/text.h"
+#include "app/study/output_times.h"
 #include "engine/scene.h"
 
 namespace dougong::app {
@@ -84,10 +85,11 @@ double acceleration_at(const MotionSheet& motion, double time) {
 
 bool has_instruments(const RunResult& run) {
   return !run.model.free_scene && !run.trajectory.times.empty() && run.motion.times.size() > 1 &&
-         !drifting(run).empty() && run.response.storeys.front().drift.size() == run.trajectory.times.size();
+         !drifting(run).empty() && run.response.storeys.front().drift.size() == run.response.times.size();
 }
 
-void draw_drift_bars(Image& image, const RunResult& run, std::size_t step, int x, int bottom) {
+void draw_drift_bars(Image& image, const RunResult& run, double time, int x, int bottom) {
+  const std::size_t step = nearest_step(run.response.times, time);
   const Lettering font(font_size);
   const auto storeys = drifting(run);
   const double scale = scale_of(storeys);

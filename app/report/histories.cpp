@@ -31,6 +31,8 @@ std::string data_text(const Curve& curve) {
 Range y_range(const Panel& panel) {
   Range range;
   for (const Curve& curve : panel.curves) range = joined(range, range_of(curve.y));
+  for (const Shade& shade : panel.shades)
+    range = joined(range, joined(range_of(shade.low), range_of(shade.high)));
   return padded(range, panel.marks.empty() ? 0.08 : mark_room, panel.flat);
 }
 
@@ -93,8 +95,22 @@ std::string panel_frame(const Panel& panel, double from_top, int height, Range x
   return out + fmt::format("set ylabel {}\n", gnuplot_text(panel.label));
 }
 
+std::string panel_shades(const Panel& panel, std::size_t index, Figure& figure) {
+  std::string plot;
+  for (std::size_t b = 0; b < panel.shades.size(); ++b) {
+    const Shade& shade = panel.shades[b];
+    if (shade.x.empty()) continue;
+    const std::string name = fmt::format("p{}b{}.txt", index, b);
+    for (std::size_t i = 0; i < shade.x.size(); ++i)
+      figure.data[name] += fmt::format("{:.7g} {:.6g} {:.6g}\n", shade.x[i], shade.low[i], shade.high[i]);
+    plot += fmt::format(", '{}' using 1:2:3 with filledcurves fc rgb '{}' fs solid 1 noborder notitle", name,
+                        to_hex(shade.colour));
+  }
+  return plot;
+}
+
 std::string panel_curves(const Panel& panel, std::size_t index, Figure& figure) {
-  std::string plot = "plot NaN notitle";
+  std::string plot = "plot NaN notitle" + panel_shades(panel, index, figure);
   for (std::size_t c = 0; c < panel.curves.size(); ++c) {
     const Curve& curve = panel.curves[c];
     const std::string name = fmt::format("p{}c{}.txt", index, c);

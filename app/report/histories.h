@@ -23,6 +23,12 @@ struct Curve {
   std::string end_label;  // at the right edge; empty for none
 };
 
+/// Between two curves over the same times, behind the curves.
+struct Shade {
+  std::vector<double> x, low, high;
+  Colour colour;
+};
+
 struct Mark {
   double x = 0.0, y = 0.0;
   std::string label;
@@ -38,6 +44,7 @@ struct Panel {
   Colour note_colour = ink::quiet;
   double height = 120;  // px
   double flat = 1.2;    // half range when nothing moves
+  std::vector<Shade> shades = {};
 };
 
 struct Stack {

@@ -9,6 +9,7 @@
 #include "app/report/figures.h"
 #include "app/report/histories.h"
 #include "app/report/text.h"
+#include "app/study/output_times.h"
 #include "engine/scene.h"
 
 namespace dougong::app {
@@ -164,7 +165,7 @@ Panel energy_terms_panel(const RunResult& run) {
   Panel panel{"Energy, E (" + unit + ")", {}, {}, "", ink::quiet, 260, 1.0};
   for (const Term& term : terms) {
     panel.curves.push_back(
-        {run.trajectory.times, scaled(*term.values, factor), term.colour, 1.4, false, term.name});
+        {output_times(run), scaled(*term.values, factor), term.colour, 1.4, false, term.name});
   }
   return panel;
 }
@@ -178,7 +179,7 @@ double energy_turned_over(const EnergyHistory& e) {
 
 Panel energy_error_panel(const RunResult& run) {
   const EnergyHistory& e = run.energy;
-  const auto& times = run.trajectory.times;
+  const auto& times = output_times(run);
   const double whole = energy_turned_over(e);
   if (!(whole > 0.0)) return history_panel(times, {"Error (J)", &e.error, 1.0, "J"}, ink::lost, 100);
   Panel panel = history_panel(times, {"Error (%)", &e.error, 100.0 / whole, "%"}, ink::lost, 100);
@@ -255,7 +256,7 @@ Figure energy_figure(const RunResult& run) {
   Stack stack{"Energy balance",
               run_line(run) + "; gravity: change since the start",
               "Time, t (s)",
-              time_range(run.trajectory.times),
+              time_range(output_times(run)),
               {},
               90};
   stack.panels = {energy_terms_panel(run), energy_error_panel(run)};
@@ -266,12 +267,11 @@ Figure overlap_figure(const RunResult& run) {
   Stack stack{"Deepest overlap between blocks, over the smaller block's width",
               run_line(run),
               "Time, t (s)",
-              time_range(run.trajectory.times),
+              time_range(output_times(run)),
               {},
               30};
-  stack.panels = {history_panel(run.trajectory.times,
-                                {"Overlap ratio (%)", &run.numerics.overlap_ratio, 100.0, "%"}, category(0),
-                                130)};
+  stack.panels = {history_panel(
+      output_times(run), {"Overlap ratio (%)", &run.numerics.overlap_ratio, 100.0, "%"}, category(0), 130)};
   return stacked(stack);
 }
 

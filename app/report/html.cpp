@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "app/report/text.h"
@@ -17,9 +18,24 @@ std::string heading_cell(const Heading& h) {
                      unit);
 }
 
+/// Hashes, paths and commands may break anywhere; words may not.
+bool has_long_word(const std::string& value) {
+  constexpr std::size_t longest = 24;  // letters of a word
+  std::size_t letters = 0;
+  return std::ranges::any_of(value, [&](char c) { return (letters = c == ' ' ? 0 : letters + 1) > longest; });
+}
+
+/// A sentence needs some width; "100 MN/m" stays on one line.
+const char* style_of(const std::string& value) {
+  constexpr std::size_t one_line = 12, words = 24;  // letters of a cell
+  if (has_long_word(value)) return "wide long";
+  return value.size() > words ? "wide words" : value.size() <= one_line ? "wide short" : "wide";
+}
+
 std::string cell(const Heading& h, const std::string& value, bool first) {
-  if (first) return "<th scope=\"row\">" + escape_markup(value) + "</th>";
-  return fmt::format("<td class=\"{}\">{}</td>", h.number ? "n" : "wide", escape_markup(value));
+  if (first) return "<th scope=\"row\">" + escape_markup(typeset(value)) + "</th>";
+  return fmt::format("<td class=\"{}\">{}</td>", h.number ? "n" : style_of(value),
+                     escape_markup(typeset(value)));
 }
 
 std::string link(const std::string& path) {
@@ -38,13 +54,13 @@ Html text(std::string_view words) {
 
 Html paragraph(std::string_view words, const char* style) {
   const std::string attribute = *style == '\0' ? "" : fmt::format(" class=\"{}\"", style);
-  return {"<p" + attribute + ">" + escape_markup(words) + "</p>\n"};
+  return {"<p" + attribute + ">" + escape_markup(typeset(words)) + "</p>\n"};
 }
 
 Html list(const std::vector<std::string>& items) {
   if (items.empty()) return {};
   std::string out = "<ul>\n";
-  for (const std::string& item : items) out += "<li>" + escape_markup(item) + "</li>\n";
+  for (const std::string& item : items) out += "<li>" + escape_markup(typeset(item)) + "</li>\n";
   return {out + "</ul>\n"};
 }
 

@@ -55,10 +55,7 @@ void Image::paste(const Image& other, int x, int y) {
 
 std::string png_of(const Image& image) {
   png_image png = header(image);
-  png_alloc_size_t size = 0;
-  if (!png_image_write_to_memory(&png, nullptr, &size, 0, image.rgb.data(), 0, nullptr)) {
-    throw std::runtime_error(std::string("cannot make a PNG: ") + png.message);
-  }
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);  // asking for the size would pack everything twice
   std::string bytes(size, '\0');
   if (!png_image_write_to_memory(&png, bytes.data(), &size, 0, image.rgb.data(), 0, nullptr)) {
     throw std::runtime_error(std::string("cannot make a PNG: ") + png.message);

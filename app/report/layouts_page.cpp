@@ -17,13 +17,13 @@ Html table_of_all(const std::vector<LayoutEntry>& entries) {
                     std::to_string(e.model.bonded.size()), std::to_string(e.model.storeys.size()),
                     mass_text(e.model.mass), e.period});
   return table("The layouts with their defaults",
-               {{"layout", "", false},
-                {"what it is", "", false},
-                {"blocks", ""},
-                {"bonds", ""},
-                {"storeys", ""},
-                {"mass", ""},
-                {"period", ""}},
+               {{"Layout", "", false},
+                {"What it is", "", false},
+                {"Blocks", ""},
+                {"Bonds", ""},
+                {"Storeys", ""},
+                {"Mass", ""},
+                {"Period", ""}},
                rows);
 }
 
@@ -34,7 +34,7 @@ Html section_of(const LayoutEntry& e) {
          figure(drawing, "Elevation to scale, coloured by storey.", {}) +
          table(
              "Parameters of " + e.model.layout,
-             {{"parameter", "", false}, {"default", "", false}, {"range", "", false}, {"meaning", "", false}},
+             {{"Parameter", "", false}, {"Default", "", false}, {"Range", "", false}, {"Meaning", "", false}},
              e.parameters);
 }
 

@@ -1,6 +1,7 @@
 // The storeys of a building as a profile draws them: each between its true heights.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,5 +15,7 @@ struct Level {
 };
 /// From below, without the level of isolators.
 std::vector<Level> levels_of(const RunResult& run);
+/// The raft on isolators; nothing where a building has none.
+std::optional<Level> raft_of(const RunResult& run);
 
 }  // namespace dougong::app

@@ -24,7 +24,7 @@ std::string report_page(const RunResult& run, const std::vector<Picture>& pictur
                                     {"joints", "The joints", page_moved_joints(run, pictures)},
                                     {"damage", "Damage of the bonds", page_damage(run)},
                                     {"fall", "How it fell", page_collapse(run, pictures)},
-                                    {"spread", "How sure", page_spread(run)},
+                                    {"spread", "How sure", page_spread(run, pictures)},
                                     {"energy", "Energy balance", page_energy(run, pictures)},
                                     {"film", "What it looked like", page_film(run, pictures)},
                                     {"numerics", "Numerical quality", page_numerics(run, pictures)},

@@ -22,7 +22,7 @@ Html page_response(const RunResult& run, const std::vector<Picture>& pictures);
 Html page_screening(const RunResult& run);
 Html page_damage(const RunResult& run);
 Html page_collapse(const RunResult& run, const std::vector<Picture>& pictures);
-Html page_spread(const RunResult& run);
+Html page_spread(const RunResult& run, const std::vector<Picture>& pictures);
 Html page_energy(const RunResult& run, const std::vector<Picture>& pictures);
 Html page_film(const RunResult& run, const std::vector<Picture>& pictures);
 Html page_numerics(const RunResult& run, const std::vector<Picture>& pictures);

@@ -30,11 +30,11 @@ Html checks_table(const std::string& standard, const std::vector<CodeCheck>& che
                {{"For", "", false},
                 {"Clause", "", false},
                 {"Limit", "", false},
-                {"", "%"},
+                {"Value", "%"},
                 {"as", "1/n"},
                 {"Found", "%"},
-                {"over the limit", "-"},
-                {"", "", false},
+                {"Found / limit", "-"},
+                {"Finding", "", false},
                 {"Source", "", false}},
                rows);
 }

@@ -65,7 +65,7 @@ std::string advice(const EnsembleSheet& e) {
 
 }  // namespace
 
-Html page_spread(const RunResult& run) {
+Html page_spread(const RunResult& run, const std::vector<Picture>& pictures) {
   const EnsembleSheet& e = run.ensemble;
   if (e.members.size() < 2)
     return paragraph(
@@ -76,6 +76,10 @@ Html page_spread(const RunResult& run) {
   Html out = paragraph("The building " + collapse_text(e) + ".");
   const std::string words = advice(e);
   if (!words.empty()) out += paragraph(words);
+  out += figure_named(
+      pictures, "figures/ensemble.svg",
+      "Every run of the ensemble, and how far small changes and the step move its peak drift.",
+      {"figures/ensemble.svg", "figures/ensemble.png", "ensemble.csv", "ensemble_roof_drift.csv"});
   return out + metrics_table(e) + changes_table(e);
 }
 

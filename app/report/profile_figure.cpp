@@ -18,7 +18,7 @@ using structures::Peak;
 
 constexpr int width = 540, left = 78, right = 34, top = 74, bottom = 56;  // px
 constexpr int label_height = 17;                                          // px a line of text needs
-constexpr double label_room = 2.45;                                       // drift axis over the largest peak
+constexpr double label_room = 2.9;                                        // drift axis over the largest peak
 const Colour positive_colour = category(0), negative_colour = category(1);
 
 double percent(const Peak& peak) {
@@ -84,10 +84,23 @@ std::string storey_labels(const std::vector<Level>& levels, double plot_height, 
   return out;
 }
 
-std::string floor_lines(const std::vector<Level>& levels) {
-  std::string out = fmt::format("set ytics ({:.6g}", levels.front().base);
-  const double least = 0.045 * (levels.back().top - levels.front().base);
-  double last = levels.front().base;
+/// The raft does not drift; it is drawn with how far it went over the isolators.
+std::string raft_band(const Level& raft) {
+  const auto [least, most] = std::ranges::minmax(raft.storey->floor_displacement);
+  return fmt::format(
+             "set object 100 rectangle from graph 0, first {:.6g} to graph 1, first {:.6g} behind fc rgb "
+             "'{}' fs solid noborder\n",
+             raft.base, raft.top, to_hex(mixed(ink::terrain, ink::white, 0.35))) +
+         fmt::format("set label {} at graph 0.5, first {:.6g} center front tc rgb '{}'\n",
+                     gnuplot_text(raft.storey->name + " on isolators: " + displacement(most) + " and " +
+                                  displacement(least)),
+                     0.5 * (raft.base + raft.top), to_hex(ink::text));
+}
+
+std::string floor_lines(const std::vector<Level>& levels, double low) {
+  std::string out = fmt::format("set ytics ({:.6g}", low);
+  const double least = 0.045 * (levels.back().top - low);
+  double last = low;
   for (const Level& l : levels) {
     if (l.top - last < least) continue;
     out += fmt::format(", {:.6g}", l.top);
@@ -112,14 +125,14 @@ int plot_height_for(std::size_t storeys) {
   return static_cast<int>(std::clamp(84.0 * static_cast<double>(storeys), 220.0, 460.0));
 }
 
-std::string frame(const std::vector<Level>& levels, double reach, int height) {
+std::string frame(const std::vector<Level>& levels, double low, double reach, int height) {
   return plain_style() +
          fmt::format("set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\n", left / double(width),
                      1.0 - right / double(width)) +
          fmt::format("set tmargin at screen {:.5f}\nset bmargin at screen {:.5f}\n",
                      1.0 - top / double(height), bottom / double(height)) +
          fmt::format("set xrange [{:.6g}:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\nset xtics {:.6g}\n", -reach,
-                     reach, levels.front().base, levels.back().top, round_step(2 * reach, 8)) +
+                     reach, low, levels.back().top, round_step(2 * reach, 8)) +
          "set yzeroaxis lt 1 lw 0.8 lc rgb '#8a8a8a'\nset xlabel 'Peak interstorey drift ratio, θ (%)'\n"
          "set ylabel 'Height above ground, z (m)'\n";
 }
@@ -128,14 +141,18 @@ std::string frame(const std::vector<Level>& levels, double reach, int height) {
 
 Figure drift_profile_figure(const RunResult& run) {
   const std::vector<Level> levels = levels_of(run);
+  const std::optional<Level> raft = raft_of(run);
+  const bool drawn = raft && !raft->storey->floor_displacement.empty();
+  const double low = drawn ? raft->base : levels.front().base;
   const int plot_height = plot_height_for(levels.size());
   Figure figure{width, top + bottom + plot_height, "", {}};
   const double size = largest(levels);
   const int decimals = size >= 0.1 || size <= 0.0 ? 2 : size >= 0.01 ? 3 : 4;
   figure.data = {{"positive.txt", staircase(levels, true)}, {"negative.txt", staircase(levels, false)}};
-  figure.script = frame(levels, size > 0 ? label_room * size : 1.0, figure.height) +
+  figure.script = frame(levels, low, size > 0 ? label_room * size : 1.0, figure.height) +
                   heading("Peak drift of each storey, both directions", run_line(run), width, figure.height) +
-                  floor_lines(levels) + storey_labels(levels, plot_height, decimals) + curves();
+                  floor_lines(levels, low) + (drawn ? raft_band(*raft) : "") +
+                  storey_labels(levels, plot_height, decimals) + curves();
   return figure;
 }
 

@@ -38,6 +38,10 @@ void write_tables(const RunResult& run, Output& output) {
   if (const FloorSpectra spectra = floor_spectra(run); !spectra.floors.empty())
     output.write("floor_spectra.csv", floor_spectra_csv(spectra));
   if (!run.screening.checks.empty()) output.write("screening.csv", screening_csv(run.screening));
+  if (run.ensemble.members.size() > 1) {
+    output.write("ensemble.csv", ensemble_csv(run.ensemble));
+    output.write("ensemble_roof_drift.csv", ensemble_roof_drift_csv(run.ensemble));
+  }
   if (!run.collapse.happened()) return;
   output.write("collapse_sequence.csv", collapse_sequence_csv(run));
   output.write("falls.csv", falls_csv(run));

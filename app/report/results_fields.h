@@ -326,6 +326,8 @@ void walk_member(A& a, M& member) {
   a.field("state_hash", "", member.state_hash);
   a.field("values", "", member.values);
   a.field("done", "", member.done);
+  a.optional_field("roof_times", "s", member.roof_times);
+  a.optional_field("roof_drift", "1", member.roof_drift);
 }
 
 template <class A, class E>

@@ -9,7 +9,7 @@
 namespace dougong::app {
 
 /// Raised when a field is added, renamed or changes its meaning.
-inline constexpr int results_format_version = 1;
+inline constexpr int results_format_version = 2;
 
 /// Written under a temporary name and renamed. Throws FileError with the path and the reason.
 void write_results(const RunResult& run, const std::filesystem::path& path);

@@ -9,6 +9,7 @@
 #include "app/report/lettering.h"
 #include "app/report/raster.h"
 #include "app/report/text.h"
+#include "app/study/output_times.h"
 
 namespace dougong::app {
 namespace {
@@ -23,14 +24,6 @@ constexpr double lightened = 0.22;         // share of white in viridis, so that
 constexpr double strip_width = 900, single_height = 620, narrow_height = 440;  // px at 1x
 constexpr double narrow = 600;  // px at 1x; below, annotation is stacked
 constexpr double page_margin = 14, cell_gap = 12, legend_width = 170;
-
-std::size_t nearest_step(const std::vector<double>& times, double time) {
-  const auto after = std::lower_bound(times.begin(), times.end(), time);
-  if (after == times.begin()) return 0;
-  const auto i = static_cast<std::size_t>(after - times.begin());
-  if (after == times.end()) return times.size() - 1;
-  return time - times[i - 1] <= times[i] - time ? i - 1 : i;
-}
 
 /// First and last stay; of the others as many as fit, evenly.
 std::vector<Frame> thinned(const std::vector<Frame>& frames) {
@@ -315,14 +308,23 @@ std::string camera_note(const SceneView& view) {
   return note;
 }
 
-double footer_height(double width) {
-  return width < narrow ? 116 : 50;
-}  // px at 1x
+constexpr double note_line_height = 14;  // px at 1x
+
+std::vector<std::string> note_lines(const Fonts& fonts, const SceneView& view, double width) {
+  return fonts.small.wrapped(camera_note(view), (width - 2 * page_margin) * view.scale);
+}
+
+/// px at 1x, with room for every line of the note.
+double footer_height(const Fonts& fonts, const SceneView& view, double width) {
+  const double lines = static_cast<double>(note_lines(fonts, view, width).size());
+  return width < narrow ? 88 + note_line_height * std::max(2.0, lines)
+                        : 36 + note_line_height * std::max(1.0, lines);
+}
 
 /// On a narrow picture the legend stands below the scale bar, its meaning above it.
 void draw_footer(Image& image, const Fonts& fonts, const SceneView& view, double pixels_per_metre) {
   const double s = view.scale, left = page_margin * s;
-  const double y = image.height - (footer_height(image.width / s) - 8) * s;
+  const double y = image.height - (footer_height(fonts, view, image.width / s) - 8) * s;
   draw_scale_bar(image, fonts, left, y + 2 * s, pixels_per_metre, s);
   double note_line = y + 34 * s;
   if (stacked(image, s)) {
@@ -331,9 +333,9 @@ void draw_footer(Image& image, const Fonts& fonts, const SceneView& view, double
   } else {
     draw_legend(image, fonts, image.width - left, y, view);
   }
-  for (const std::string& line : fonts.small.wrapped(camera_note(view), image.width - 2 * left)) {
+  for (const std::string& line : note_lines(fonts, view, image.width / s)) {
     fonts.small.draw(image, line, left, note_line, ink::quiet);
-    note_line += 14 * s;
+    note_line += note_line_height * s;
   }
 }
 
@@ -516,7 +518,7 @@ Image draw_scene(const RunResult& run, const Frame& frame, const SceneView& view
   const Fonts fonts(view.scale);
   const double s = view.scale, head = single_header(view.width);
   const auto [width, height] = picture_size(view.box, view.width, s);
-  Image image(px(view.width, s), px(head + footer_height(view.width), s) + height);
+  Image image(px(view.width, s), px(head + footer_height(fonts, view, view.width), s) + height);
   draw_single_header(image, run, frame, fonts, s);
   image.paste(world_image(run, frame, view, width, height), (image.width - width) / 2, px(head, s));
   fonts.small.draw(image, frame_note(run, frame, view), page_margin * s, (head + 14) * s, ink::lost);
@@ -536,7 +538,8 @@ Image draw_film_strip(const RunResult& run, const std::vector<Frame>& frames, co
   const double s = view.scale;
   const Grid grid = grid_for(run, frames, view, fonts);
   const int row_height = grid.cell_height() + px(cell_gap, s);
-  Image image(px(strip_width, s), px(header_height + footer_height(strip_width), s) + grid.rows * row_height);
+  Image image(px(strip_width, s),
+              px(header_height + footer_height(fonts, view, strip_width), s) + grid.rows * row_height);
   draw_header(image, fonts, run.model.layout, shaken_by(run), 0.0, s);
   for (std::size_t i = 0; i < frames.size(); ++i) {
     const int column = static_cast<int>(i) % grid.columns, row = static_cast<int>(i) / grid.columns;

@@ -132,7 +132,7 @@ Figure capacity_figure(const StaticResult& r) {
                           to_hex(category(colour_of(s.side))));
   }
   figure.script +=
-      "set label 'dashed: the greatest multiplier that stood as a dead load' at graph 0.985, graph 0.04 "
+      "set label 'dashed: the greatest multiplier that stood as a dead load' at graph 0.985, graph 1.03 "
       "right front tc rgb '" +
       to_hex(ink::quiet) + "'\n" + curves + "\n";
   return figure;

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/report/spread_text.h"
+#include "app/report/weight_joints_report.h"
 
 namespace dougong::app {
 namespace {
@@ -143,6 +144,23 @@ Json screening_part(const ScreeningSheet& sheet) {
   return {{"structural_type", sheet.structural_type}, {"notes", sheet.notes}, {"checks", checks}};
 }
 
+Json joint_part(const WeightJoint& joint) {
+  return {{"name", joint.name},
+          {"bonded", joint.bonded},
+          {"normal", metric(joint.normal, "N")},
+          {"shear", metric(joint.shear, "N")},
+          {"compression", metric(joint.compression, "Pa")},
+          {"tension", metric(joint.tension, "Pa")},
+          {"used", metric(joint.used, "1")},
+          {"limit", joint.limit}};
+}
+
+Json self_weight_part(const std::vector<WeightJoint>& joints) {
+  Json part{{"joints", joints.size()}, {"most_used", joint_part(joints.front())}};
+  if (const WeightJoint* most = most_compressed(joints)) part["most_compressed"] = joint_part(*most);
+  return part;
+}
+
 double last(const std::vector<double>& values) {
   return values.empty() ? 0.0 : values.back();
 }
@@ -253,6 +271,7 @@ std::string summary_json(const RunResult& run, const std::vector<std::string>& f
            {"provenance", provenance_part(run)},
            {"reproducibility", reproducibility_part(run.reproducibility)},
            {"files", files}};
+  if (!run.weight_joints.empty()) out["self_weight"] = self_weight_part(run.weight_joints);
   if (run.collapse.happened()) out["collapse"] = collapse_part(run.collapse);
   if (!run.screening.notes.empty()) out["screening"] = screening_part(run.screening);
   if (run.ensemble.members.size() > 1) out["ensemble"] = ensemble_part(run.ensemble);

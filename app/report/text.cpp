@@ -121,6 +121,40 @@ std::string escape_markup(std::string_view text) {
   return out;
 }
 
+namespace {
+
+bool is_digit(char c) {
+  return '0' <= c && c <= '9';
+}
+bool is_word(char c) {
+  return is_digit(c) || c == '_' || ('a' <= (c | 0x20) && (c | 0x20) <= 'z');
+}
+
+/// The typeset form of what stands at the front of `rest`, and how many characters that takes; none: 0.
+std::pair<std::string_view, std::size_t> typeset_front(std::string_view rest, char before) {
+  if (rest.size() > 1 && rest[0] == '-' && is_digit(rest[1]) && (before == ' ' || before == '('))
+    return {"−", 1};
+  for (const auto& [plain, raised] :
+       {std::pair<std::string_view, std::string_view>{"/s2", "/s²"}, {"/m3", "/m³"}, {"/m2", "/m²"}})
+    if (rest.starts_with(plain) && (rest.size() == plain.size() || !is_word(rest[plain.size()])))
+      return {raised, plain.size()};
+  return {"", 0};
+}
+
+}  // namespace
+
+std::string typeset(std::string_view text) {
+  std::string out;
+  for (std::size_t i = 0; i < text.size();) {
+    const auto [set, taken] = typeset_front(text.substr(i), i == 0 ? ' ' : text[i - 1]);
+    if (taken == 0)
+      out += text[i++];
+    else
+      out += set, i += taken;
+  }
+  return out;
+}
+
 std::string shortened(std::string_view text, std::size_t most) {
   std::size_t characters = 0, keep = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {

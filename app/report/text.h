@@ -28,6 +28,8 @@ std::string length(double metres);
 std::string displacement(double metres);
 std::string mass_text(double kilograms);  // "850 kg", "12.4 t"
 
+/// As it is set on a page: "-3.1 m/s2" becomes "−3.1 m/s²".
+std::string typeset(std::string_view text);
 /// Text made safe for HTML and SVG, in content and in quoted attributes.
 std::string escape_markup(std::string_view text);
 /// At most so many characters, the last of them an ellipsis when something was cut.

@@ -69,10 +69,21 @@ std::vector<std::vector<std::string>> weight_rows(const std::vector<WeightJoint>
   return rows;
 }
 
-std::string greatest_compression(const std::vector<WeightJoint>& joints) {
+const WeightJoint* most_compressed(const std::vector<WeightJoint>& joints) {
   const WeightJoint* most = nullptr;
   for (const WeightJoint& j : joints)
     if (std::isfinite(j.compression) && (!most || j.compression > most->compression)) most = &j;
+  return most;
+}
+
+std::string weight_text(const std::vector<WeightJoint>& joints) {
+  const WeightJoint& first = joints.front();
+  return fmt::format("most used joint {}: {} % of {}; greatest compression {}", first.name,
+                     fixed(100.0 * first.used, 1), first.limit, greatest_compression(joints));
+}
+
+std::string greatest_compression(const std::vector<WeightJoint>& joints) {
+  const WeightJoint* most = most_compressed(joints);
   return most ? significant(most->compression / 1e6, 3) + " MPa in " + most->name : "none";
 }
 

@@ -18,8 +18,12 @@ std::string weight_joints_csv(const std::vector<WeightJoint>& joints);
 /// used
 /// (%), of what. At most so many.
 std::vector<std::vector<std::string>> weight_rows(const std::vector<WeightJoint>& joints, std::size_t most);
-/// The greatest compression of all, "1.23 MPa between A and B"; "none" without.
+/// Of all that have one: at a corner it is infinite. Null without.
+const WeightJoint* most_compressed(const std::vector<WeightJoint>& joints);
+/// "1.23 MPa in A / B"; "none" without.
 std::string greatest_compression(const std::vector<WeightJoint>& joints);
+/// "most used joint A / B: 12.3 % of friction; greatest compression 1.23 MPa in A / B". Needs joints.
+std::string weight_text(const std::vector<WeightJoint>& joints);
 
 Html page_weight(const RunResult& run, const std::vector<Picture>& pictures);
 

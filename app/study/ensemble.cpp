@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
+#include <limits>
 #include <mutex>
 
 #include "app/study/metrics.h"
+#include "app/study/output_times.h"
 #include "app/study/share_tasks.h"
 #include "engine/integrators/table.h"
 
@@ -43,6 +46,19 @@ EnsembleMember run_one(const Preparation& described, const Variation& v, const P
   return member_of(run);
 }
 
+constexpr double drawn_rate = 50.0;  // Hz, of the histories that the members keep
+
+void keep_roof_drift(const structures::Response& response, EnsembleMember& member) {
+  double end = std::numeric_limits<double>::infinity();
+  for (const auto& storey : response.storeys) end = std::min(end, storey.lost_at.value_or(end));
+  if (!(response.height > 0.0)) return;
+  for (const std::size_t step : kept_steps(response.times, drawn_rate, {})) {
+    if (response.times[step] >= end) break;
+    member.roof_times.push_back(response.times[step]);
+    member.roof_drift.push_back(response.roof_displacement[step] / response.height);
+  }
+}
+
 }  // namespace
 
 EnsembleMember member_of(const RunResult& run) {
@@ -51,6 +67,7 @@ EnsembleMember member_of(const RunResult& run) {
   member.state_hash = run.reproducibility.state_hash;
   member.done = !run.partial;
   for (const Metric& metric : metrics_of(run)) member.values.push_back(metric.value);
+  if (!run.response.roof_displacement.empty()) keep_roof_drift(run.response, member);
   return member;
 }
 

@@ -7,6 +7,7 @@
 
 #include "app/study/code_screens.h"
 #include "app/study/moments.h"
+#include "app/study/output_times.h"
 #include "app/study/recorder.h"
 #include "app/study/run_sheets.h"
 #include "app/study/stopwatch.h"
@@ -132,7 +133,8 @@ class CollapseWatch {
     if (!p_.scenario.solve.after_collapse) return false;
     if (!lost_at_ && now >= next_look_) {
       // The whole trajectory is read only when its ends tell that there is something to find.
-      if (loss_of(structures::ends_of(trajectory))) lost_at_ = loss_of(trajectory);
+      if (loss_of(structures::at_steps(trajectory, {0, trajectory.times.size() - 1})))
+        lost_at_ = loss_of(trajectory);
       next_look_ = now + 1.0;  // s
     }
     return lost_at_ && now >= *lost_at_ + *p_.scenario.solve.after_collapse;
@@ -165,6 +167,11 @@ RunResult begun(const Preparation& p, const std::string& command) {
   return result;
 }
 
+structures::Trajectory kept_states(const structures::Trajectory& all, const OutputChoice& output,
+                                   const std::vector<Moment>& moments) {
+  return structures::at_steps(all, kept_steps(all.times, output.state_rate, moments));
+}
+
 RunResult gathered(RunResult result, const Preparation& p, const engine::RunOutcome& run, Recorder recorder) {
   result.reproducibility.state_hash = engine::state_hash(p.state);
   result.partial = run.outcome == engine::Outcome::interrupted;
@@ -179,11 +186,11 @@ RunResult gathered(RunResult result, const Preparation& p, const engine::RunOutc
   result.moved_joints =
       moved_joints(p.building.scene, p.model, recorder.joints, recorder.trajectory, result.response.losses);
   result.model.bonded = std::move(recorder.bonds);
-  result.trajectory = std::move(recorder.trajectory);
   result.energy = std::move(recorder.energies.energy);
   result.energy.standing_error = standing_error(result.energy, result.response);
   result.energy.input_error = input_error(result.energy, result.energy.error.size());
   result.moments = moments_of(result);
+  result.trajectory = kept_states(recorder.trajectory, p.scenario.output, result.moments);
   return result;
 }
 

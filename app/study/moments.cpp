@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/study/output_times.h"
+
 namespace dougong::app {
 namespace {
 
@@ -39,8 +41,8 @@ constexpr double same_moment = 0.05;
 
 std::vector<Moment> moments_of(const RunResult& result) {
   std::vector<Moment> moments;
-  if (result.trajectory.times.empty()) return moments;
-  const double end = result.trajectory.times.back();
+  if (output_times(result).empty()) return moments;
+  const double end = output_times(result).back();
   add_losses(result, moments);
   add_peak_drift(result, moments);
   add_strongest_shaking(result, moments);

@@ -170,6 +170,8 @@ struct EnsembleMember {
   std::string state_hash;
   std::vector<double> values;  // of EnsembleSheet::metrics
   bool done = false;           // false: it was not run to its end
+  /// Roof displacement over the height (-), often enough to be drawn, until a storey is lost; its times (s).
+  std::vector<double> roof_times = {}, roof_drift = {};
 };
 
 /// The run again with small changes. Without members it was run once.
@@ -208,11 +210,11 @@ struct RunResult {
   SettleSheet settle;
   std::vector<WeightJoint> weight_joints;  // the most used first; empty where it did not settle
   std::vector<MovedJoint> moved_joints;    // those that opened or slid farthest first; empty as well
-  structures::Trajectory trajectory;
+  structures::Trajectory trajectory;       // of a building: at the states kept (output_times.h)
   structures::Response response;
   structures::Collapse collapse;  // nothing happened where the numbers failed
   ScreeningSheet screening;
-  EnergyHistory energy;  // at trajectory.times
+  EnergyHistory energy;  // at the output times
   Numerics numerics;
   Reproducibility reproducibility;
   std::vector<Moment> moments;

@@ -91,7 +91,8 @@ struct EnsembleChoice {
 };
 
 struct OutputChoice {
-  double rate = 100.0;  // Hz
+  double rate = 100.0;       // Hz, of the histories
+  double state_rate = 50.0;  // Hz, of the states of all blocks
   std::string directory = "dougong-out";
   double save_every = 30.0;  // s, of the clock
 };

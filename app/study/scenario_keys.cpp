@@ -201,7 +201,10 @@ std::vector<ScenarioKey> make_table() {
              "changes of the motion, up to this part of it"),
       number("ensemble.seed", perturbation<&P::seed>, count, 0, 1e9, "of the random numbers"),
 
-      number("output.rate", slot<&S::output, &O::rate>, frequency, 0.01, 1e6, "output times a second"),
+      number("output.rate", slot<&S::output, &O::rate>, frequency, 0.01, 1e6,
+             "output times a second: of the histories, peaks and verdict"),
+      number("output.state_rate", slot<&S::output, &O::state_rate>, frequency, 0.01, 1e6,
+             "how many of them a second keep the states of all blocks, for pictures and films"),
       text("output.directory", slot<&S::output, &O::directory>, "where the results are written"),
       number("output.save_every", slot<&S::output, &O::save_every>, time, 0.0, endless,
              "of the clock: what there is of a run is saved this often, if that takes no more than a "

@@ -351,7 +351,7 @@ TEST(TotalLoss, IsWhenTheLastStoreyWent) {
     return t < (first ? 1.0 : 2.0) ? Pose{} : Pose{0.0, -5.0, 0.0};
   };
   EXPECT_NEAR(total_loss(script.building, script.trajectory()).value(), 2.0, 0.011);
-  const Trajectory ends = ends_of(script.trajectory());
+  const Trajectory whole = script.trajectory(), ends = at_steps(whole, {0, whole.times.size() - 1});
   EXPECT_THAT(ends.times, ::testing::ElementsAre(0.0, script.trajectory().times.back()));
   EXPECT_EQ(total_loss(script.building, ends), ends.times.back()) << "no more is known between";
   script.block = [](const std::string& name, double) {

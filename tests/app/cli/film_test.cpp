@@ -1,4 +1,6 @@
 // The film of a building's run: with ffmpeg, without, and again from the results.
+#include "app/report/film.h"
+#include "app/report/subprocess.h"
 #include "tests/app/cli/program_test.h"
 
 namespace dougong::app {
@@ -29,13 +31,30 @@ TEST_F(Film, HasFiftyFramesASecondOfTheRun) {
   EXPECT_EQ(read("film.mp4"), "51\n");
 }
 
+TEST_F(Film, IsAnMp4ThatLastsAsLongAsTheRun) {
+  if (!can_film()) GTEST_SKIP() << "ffmpeg is not installed, so no MP4 can be made or read here";
+  ASSERT_EQ(run(short_run("out", {"--film", "film.mp4"}), with_quick_plots()).exit_code, 0);
+  ASSERT_TRUE(run_in(folder(),
+                     {"ffprobe", "-v", "error", "-count_frames", "-select_streams", "v:0", "-show_entries",
+                      "stream=codec_name,width,pix_fmt,avg_frame_rate,nb_read_frames,duration", "-of",
+                      "default=noprint_wrappers=1", "film.mp4"},
+                     "/dev/null"));
+  const std::string probed = read(messages_name);
+  for (const char* fact : {"codec_name=h264", "width=960", "pix_fmt=yuv420p", "avg_frame_rate=50/1",
+                           "duration=1.020000", "nb_read_frames=51"})
+    EXPECT_THAT(probed, HasSubstr(fact));
+}
+
 TEST_F(Film, IsMadeAgainFromTheResultsAndSlowed) {
   const Surroundings around = with_counting_ffmpeg();
   EXPECT_EQ(run(short_run("out"), around).exit_code, 0);
   const Ran ran = run({"report", "out", "--film", "slow.mp4", "--slow", "4"}, around);
   EXPECT_EQ(ran.exit_code, 0);
   EXPECT_EQ(read("slow.mp4"), "201\n");
-  EXPECT_THAT(ran.out, HasSubstr("--set output.rate=\"200 Hz\"")) << "100 output times a second are too few";
+  EXPECT_THAT(
+      ran.out,
+      HasSubstr("has 50; smoother with --set output.state_rate=\"200 Hz\" --set output.rate=\"200 Hz\""))
+      << "100 output times a second are too few";
 }
 
 TEST_F(Film, TellsByColourWhatItWasAskedFor) {

@@ -72,8 +72,12 @@ TEST(ComparisonEvents, ShowAllVariantsAtTheSameMoments) {
 TEST(ComparisonEvents, SayThatARunHasEnded) {
   RunResult ended = fixtures::collapsed();
   const double end = ended.trajectory.times.back();
-  EXPECT_THAT(frames_at(ended, {end + 5.0}).at(0).caption, HasSubstr("ended at"));
-  EXPECT_EQ(frames_at(ended, {end + 5.0}).at(0).time, end);
+  const std::vector<Frame> frames = frames_at(ended, {0.0, end, end + 5.0, end + 8.0});
+  EXPECT_THAT(frames[1].caption, HasSubstr("end"));
+  EXPECT_EQ(frames[2].caption, "the run has ended");
+  EXPECT_EQ(frames[3].caption, "the run has ended");
+  EXPECT_EQ(frames[3].time, end);
+  EXPECT_EQ(frames_at(ended, {0.0, end + 5.0}).at(1).caption, "end") << "no earlier picture says so";
 }
 
 }  // namespace

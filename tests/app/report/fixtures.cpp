@@ -306,6 +306,14 @@ EnsembleSheet small_ensemble() {
                {VerdictKind::numerically_invalid, "a3", {9.0, 1.0}, true},
                {VerdictKind::undecided, "", {}, false}};
   e.half_step = {VerdictKind::collapsed, "a4", {0.033, 11.4}, true};
+  for (int k = 0; k < 100; ++k) {
+    const double t = 0.02 * k, drift = 0.01 * std::sin(3.0 * t);
+    for (EnsembleMember* member : {&e.members[0], &e.members[1], &e.half_step}) {
+      if (member == &e.members[0] && k >= 60) continue;  // lost a storey
+      member->roof_times.push_back(t);
+      member->roof_drift.push_back(member == &e.members[1] ? 0.8 * drift : drift);
+    }
+  }
   return e;
 }
 

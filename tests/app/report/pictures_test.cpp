@@ -146,6 +146,7 @@ TEST(Film, SaysWhatHappensWhileItIsNews) {
   EXPECT_EQ(frames.at(480).caption, "first slip");  // 9.6 s
   EXPECT_EQ(frames.at(535).caption, "");            // 10.7 s
   EXPECT_EQ(film_frames(run, {.slow = 2.0}).at(960).caption, "first slip; 2 times slowed");
+  EXPECT_EQ(film_frames(run, {.slow = 0.25}).at(120).caption, "first slip; 4 times faster");
 }
 
 /// Pixels of a colour below a line.

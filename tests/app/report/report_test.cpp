@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <regex>
 #include <set>
@@ -12,6 +13,7 @@
 #include "app/report/image.h"
 #include "app/report/page.h"
 #include "app/report/safe_file.h"
+#include "app/report/text.h"
 #include "fixtures.h"
 
 namespace dougong::app {
@@ -254,6 +256,30 @@ TEST(Plots, TheProfileNamesPeaksOfBothSignsAndLosses) {
   const std::string svg = draw(drift_profile_figure(fixtures::collapsed())).svg;
   for (const char* words : {"+2.85 % at 10.78 s", "−2.83 % at 11.10 s", "lost at 11.30 s", "S4"})
     EXPECT_THAT(svg, HasSubstr(words));
+}
+
+TEST(Plots, TheProfileDrawsTheRaftOnItsIsolators) {
+  RunResult run = fixtures::survived();
+  auto& raft = run.response.storeys.front();
+  raft.is_base = true, raft.name = "raft";
+  const auto [least, most] = std::ranges::minmax(raft.floor_displacement);
+  const std::string svg = draw(drift_profile_figure(run)).svg;
+  EXPECT_THAT(svg, HasSubstr("raft on isolators: " + displacement(most) + " and " + displacement(least)));
+  EXPECT_THAT(draw(drift_profile_figure(fixtures::survived())).svg, Not(HasSubstr("isolators")));
+}
+
+TEST(Plots, OfAnEnsembleDrawEveryRunAndWhatTheStepDoes) {
+  const RunResult run = fixtures::repeated();
+  ASSERT_TRUE(has_ensemble_figure(run));
+  EXPECT_FALSE(has_ensemble_figure(fixtures::collapsed())) << "run once";
+  const Figure figure = ensemble_figure(run);
+  const std::string svg = draw(figure).svg;
+  EXPECT_EQ(unbalanced(svg), "");
+  for (const char* words :
+       {"as described", "half the step", "each run", "16 to 84 %", "collapsed", "survived"})
+    EXPECT_THAT(svg, HasSubstr(words));
+  EXPECT_THAT(svg, Not(HasSubstr("undecided"))) << "that run was left out";
+  EXPECT_THAT(figure.data.at("step.txt"), HasSubstr("3.1 1\n3.3 1"));
 }
 
 TEST(Plots, ALongRecordStaysSmall) {

@@ -157,6 +157,37 @@ TEST(Summary, TheCheckSeesAMissingAndAnUnexpectedKey) {
   EXPECT_EQ(violations(summary).size(), 3u);
 }
 
+TEST(Text, IsSetWithMinusSignsAndRaisedDigits) {
+  EXPECT_EQ(typeset("-3.1 m/s2 (-1/161), 2400 kg/m3"), "−3.1 m/s² (−1/161), 2400 kg/m³");
+  EXPECT_EQ(typeset("2-5 % of 1e-07, run-2, a/s2x, - 3"), "2-5 % of 1e-07, run-2, a/s2x, - 3");
+}
+
+TEST(Summary, TellsWhatTheJointsBearUnderTheWeight) {
+  RunResult run = fixtures::survived();
+  run.weight_joints[0].compression = std::numeric_limits<double>::infinity();  // at a corner
+  const Json weight = Json::parse(summary_json(run, {}))["self_weight"];
+  EXPECT_EQ(weight["joints"], run.weight_joints.size());
+  EXPECT_EQ(weight["most_used"]["name"], run.weight_joints[0].name);
+  EXPECT_EQ(weight["most_used"]["used"]["value"], run.weight_joints[0].used);
+  EXPECT_EQ(weight["most_compressed"]["name"], run.weight_joints[1].name) << "the greatest that is one";
+  EXPECT_THAT(violations(Json::parse(summary_json(run, {}))), testing::IsEmpty());
+  run.weight_joints.clear();
+  EXPECT_FALSE(Json::parse(summary_json(run, {})).contains("self_weight"));
+}
+
+TEST(Csv, OfAnEnsembleHasARowARunAndNothingAfterALoss) {
+  const EnsembleSheet e = fixtures::repeated().ensemble;
+  const auto runs = cells(ensemble_csv(e)), drift = cells(ensemble_roof_drift_csv(e));
+  EXPECT_THAT(runs[0], testing::ElementsAre("run", "verdict", "peak drift (1)", "first loss of support (s)"));
+  EXPECT_THAT(runs[1], testing::ElementsAre("as described", "collapsed", "0.031", "11.3"));
+  EXPECT_EQ(runs[4][1], "not run to its end");
+  EXPECT_EQ(runs.back()[0], "half the step");
+  ASSERT_EQ(drift.size(), 101u);
+  EXPECT_EQ(std::stod(drift[60][1]), e.members[0].roof_drift[59]);
+  EXPECT_EQ(drift[61][1], "") << "a storey was lost";
+  EXPECT_EQ(std::stod(drift[61][2]), e.members[1].roof_drift[60]);
+}
+
 TEST(Summary, MetricsKeepSignUnitAndTime) {
   const RunResult run = fixtures::collapsed();
   const Json s = Json::parse(summary_json(run, {}));

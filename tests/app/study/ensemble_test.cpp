@@ -46,6 +46,16 @@ TEST(Ensemble, BeginsWithTheRunDescribedAndGoesOnWithOthers) {
   EXPECT_NE(sheet.half_step.state_hash, sheet.members[0].state_hash);
 }
 
+TEST(Ensemble, KeepsTheRoofDriftOfEveryRunOverTime) {
+  const EnsembleSheet sheet = ensemble_of({"ensemble.n=2"}, 1);
+  for (const EnsembleMember* member : {&sheet.members[0], &sheet.members[1], &sheet.half_step}) {
+    ASSERT_EQ(member->roof_times.size(), 51u) << "50 a second";
+    EXPECT_EQ(member->roof_times, sheet.members[0].roof_times);
+    EXPECT_EQ(member->roof_drift.size(), 51u);
+  }
+  EXPECT_NE(sheet.members[0].roof_drift, sheet.members[1].roof_drift);
+}
+
 TEST(Ensemble, OfNoChangesIsOneRunRepeated) {
   const EnsembleSheet sheet =
       ensemble_of({"ensemble.n=3", "ensemble.position_change=0 m", "ensemble.friction_change=0",

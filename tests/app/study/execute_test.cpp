@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/study/moments.h"
+#include "app/study/output_times.h"
 #include "tests/app/study/study_cases.h"
 
 namespace dougong::app::testing {
@@ -17,14 +18,52 @@ using ::testing::HasSubstr;
 TEST(Execute, EveryHistoryHasOneEntryAnOutputTime) {
   Preparation p = prepared_drum();
   const RunResult r = execute(p, "dougong run");
-  const std::size_t n = r.trajectory.times.size();
+  const std::size_t n = r.response.times.size();
   EXPECT_EQ(n, 101u);
   for (const auto* column : {&r.energy.input, &r.energy.kinetic, &r.energy.gravity, &r.energy.elastic,
                              &r.energy.friction, &r.energy.damping, &r.energy.error})
     EXPECT_EQ(column->size(), n);
-  EXPECT_EQ(r.trajectory.poses.size(), 3 * n);
   EXPECT_EQ(r.numerics.overlap_ratio.size(), n);
-  EXPECT_EQ(r.response.times, r.trajectory.times);
+}
+
+TEST(Execute, KeepsTheStatesAtTheirOwnRateAndWhereSomethingHappened) {
+  Preparation p = prepared_drum();
+  const RunResult r = execute(p, "");
+  const auto& t = r.trajectory;
+  EXPECT_EQ(t.poses.size(), 3 * t.times.size());
+  EXPECT_EQ(t.accelerations.size(), t.times.size());
+  EXPECT_GE(t.times.size(), 51u) << "50 a second";
+  EXPECT_LE(t.times.size(), 51u + r.moments.size());
+  for (const Moment& moment : r.moments)
+    EXPECT_NEAR(t.times[nearest_step(t.times, moment.time)], moment.time, 0.0051) << moment.caption;
+}
+
+TEST(Execute, FewerStatesChangeNoNumberOfTheRun) {
+  Preparation all = prepared_drum({"state_rate=100 Hz"}), few = prepared_drum({"state_rate=4 Hz"});
+  const RunResult a = execute(all, ""), b = execute(few, "");
+  EXPECT_EQ(a.trajectory.times, a.response.times) << "as often as the histories";
+  EXPECT_LT(b.trajectory.times.size(), 10u);
+  EXPECT_EQ(a.reproducibility.state_hash, b.reproducibility.state_hash);
+  EXPECT_EQ(a.response.storeys.front().drift, b.response.storeys.front().drift);
+  EXPECT_EQ(a.response.peak_base_shear.largest().value, b.response.peak_base_shear.largest().value);
+  EXPECT_EQ(a.energy.kinetic, b.energy.kinetic);
+  EXPECT_EQ(a.verdict.evidence, b.verdict.evidence);
+  for (std::size_t k = 0; k < b.trajectory.times.size(); ++k) {
+    const std::size_t same = nearest_step(a.trajectory.times, b.trajectory.times[k]);
+    EXPECT_EQ(a.trajectory.times[same], b.trajectory.times[k]);
+    EXPECT_EQ(a.trajectory.angle(same, 0), b.trajectory.angle(k, 0));
+  }
+}
+
+TEST(OutputTimes, KeepTheFirstOfEachTickTheMomentsAndTheLast) {
+  std::vector<double> times;
+  for (int i = 0; i <= 100; ++i) times.push_back(0.01 * i);
+  EXPECT_EQ(kept_steps(times, 100.0, {}).size(), 101u);
+  EXPECT_EQ(kept_steps(times, 1000.0, {}).size(), 101u) << "no more than there are";
+  EXPECT_THAT(kept_steps(times, 4.0, {}), ::testing::ElementsAre(0, 25, 50, 75, 100));
+  EXPECT_THAT(kept_steps(times, 3.0, {}), ::testing::ElementsAre(0, 34, 67, 100));
+  EXPECT_THAT(kept_steps(times, 0.5, {{0.123, "peak"}, {0.0, "start"}}), ::testing::ElementsAre(0, 12, 100));
+  EXPECT_TRUE(kept_steps({}, 50.0, {}).empty());
 }
 
 TEST(Execute, NotesWhichBondsCrackHowAndWhen) {

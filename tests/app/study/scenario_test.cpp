@@ -145,7 +145,8 @@ TEST(Scenario, IsWrittenCompletely) {
 
 TEST(Scenario, MayBeWrittenWithTheMeanings) {
   const std::string written = to_toml(Scenario{}, Comments::meanings);
-  EXPECT_THAT(written, HasSubstr("rate = \"100 Hz\"  # output times a second\n"));
+  EXPECT_THAT(written,
+              HasSubstr("rate = \"100 Hz\"  # output times a second: of the histories, peaks and verdict\n"));
   EXPECT_EQ(to_toml(read(written)), to_toml(Scenario{}));
 }
 
