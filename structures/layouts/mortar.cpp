@@ -27,6 +27,12 @@ Connection mortar_of(const ParameterValues& values) {
   return mortar;
 }
 
+void lay_in_mortar(Building& building, const ParameterValues& values, double head_joint) {
+  std::vector<std::size_t> all;
+  for (std::size_t i = 0; i < building.scene.bodies.size(); ++i) all.push_back(i);
+  connect_touching(building, all, mortar_of(values), head_joint + 1e-6);
+}
+
 void require_mortar(const ParameterValues& values, double unit) {
   require(values("mortar_thickness") <= 0.5 * unit, values, "mortar_thickness",
           "at most half the height of a course, " + print_value(0.5 * unit, length));
