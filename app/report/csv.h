@@ -15,7 +15,7 @@ std::string csv_text(const std::string& text);
 std::string drift_csv(const RunResult& run);         // time; drift and lost of every storey
 std::string acceleration_csv(const RunResult& run);  // time; absolute floor acceleration and lost
 std::string roof_and_base_shear_csv(const RunResult& run);
-/// Each bond with its storey, and how and when it cracked and broke.
+/// Each bond with its storey, and how and when it cracked, was crushed and broke.
 std::string damage_csv(const RunResult& run);
 struct FloorSpectra;
 /// Period; pseudo-acceleration of the ground and of every floor.

@@ -75,6 +75,11 @@ class Reader {
       throw h5::Error("column " + name + " has another length than its table");
     for (std::size_t i = 0; i < rows.size(); ++i) rows[i].*member = std::move(values[i]);
   }
+  /// One that older files lack: its rows keep what they hold.
+  template <class Row, class T>
+  void optional_column(const std::string& name, const char* unit, std::vector<Row>& rows, T Row::*member) {
+    if (h5::has(here_, name)) column(name, unit, rows, member);
+  }
 
   void field(const std::string& name, const char*, double& value) {
     value = one(h5::read_numbers(here_, name), name);
