@@ -15,10 +15,10 @@
 //
 // A face that is joined bears compression by its points, to Fc each: N stays at -Fc and c grows. Here the
 // stress at the point is asked, not that at the edge: an edge that crushes passes its load on instead of
-// tearing, and a point at its strength is the block of stress fc over its half of the face, with the arm L/(2
-// sqrt 3) where that of the block is L/4. Once a point has left the elastic range the face has a crack: the
-// bodies touch there as contacts do (contact/contact_set.h), which bear compression and friction, and what is
-// left of the points holds tension and cohesion only. A broken point then does nothing.
+// tearing, and a point at its strength is the block of stress fc over its half of the face, with L/(2 sqrt 3)
+// for an arm in place of L/4. Once a point has left the elastic range in tension or shear the face has a
+// crack: the bodies touch there as contacts do (contact/contact_set.h), which bear compression and friction,
+// and what is left of the points holds tension and cohesion only. A broken point then does nothing.
 //
 // Units: N and m; the stiffness of the point's tributary area, its strengths times that area.
 #pragma once
