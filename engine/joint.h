@@ -49,7 +49,9 @@ struct Bond {
   double friction_coefficient = 0.6;                          // -, of the bonded and of the broken face
   double fracture_energy = 0.0;                               // J/m2 in tension; 0: breaks at once
   double yield_strength = std::numeric_limits<double>::infinity();  // Pa, ductile, tension (reinforcement)
-  double damping_ratio = 0.02;                                      // -, local
+  /// Pa: a face without a crack closes plastically at it.
+  double compressive_strength = std::numeric_limits<double>::infinity();
+  double damping_ratio = 0.02;  // -, local
 };
 
 }  // namespace dougong::engine

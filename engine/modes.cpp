@@ -96,7 +96,7 @@ Krylov lanczos(const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>& factor,
 Matrix6 bond_tangent(const BondPoint& p, const BondHistory& history, const BondGeometry& b) {
   PointGeometry g;
   g.normal = b.normal, g.arm_corner = b.arm_b, g.arm_edge = b.arm_a;
-  const double e = b.opening - history.plastic;
+  const double e = b.opening - history.relaxed();
   if (history.gone() || (history.broken && e > 0.0)) return Matrix6::Zero();
   const double closed = history.joined ? p.law.normal : 0.0;
   const double k = e > 0.0 ? softened_tension(p.law, e, std::max(e, history.widest)) / e : closed;

@@ -71,7 +71,7 @@ void seek_elastic_rest(Model model, State& state, const SettleOptions& options,
                        const std::vector<double>& before, SettleReport& report) {
   constexpr double endless = std::numeric_limits<double>::infinity();
   for (BondPoint& point : model.bond_points)
-    point.law.tension = point.law.cohesion = point.law.yield = endless;
+    point.law.tension = point.law.cohesion = point.law.yield = point.law.crushing = endless;
   seek_rest(model, state, options, before, report);
   for (BondHistory& history : state.bonds.history) history.widest = 0.0;
 }

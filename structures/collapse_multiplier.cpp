@@ -56,10 +56,11 @@ bool come_to_rest(const engine::Model& model, engine::State& state, double away,
   return report.settled;
 }
 
-void watch(const engine::Model& model, engine::State& state, double away, const TrialOptions& options,
+/// Movements are those since `before`; the trial stands if none is too long in that time (s).
+void watch(const engine::Model& model, engine::State& state, double away, double time,
            const std::vector<double>& before, Trial& trial) {
   engine::DriveOptions drive_options;
-  drive_options.end_time = options.hold_time;
+  drive_options.end_time = time;
   drive_options.terrain_held_still = true;
   const engine::RunOutcome run =
       engine::drive(model, state, drive_options, [&](const engine::Sample& sample) {
@@ -67,10 +68,19 @@ void watch(const engine::Model& model, engine::State& state, double away, const 
         return trial.greatest_movement > away ? engine::Wish::stop : engine::Wish::go_on;
       });
   trial.duration += run.end_time;
+  trial.watched += run.end_time;
   trial.detail = run.detail;
   trial.kinetic_energy = engine::energies_of(model, state).kinetic;
+  trial.result = TrialResult::undecided;
   if (run.outcome == engine::Outcome::diverged) trial.result = TrialResult::numerically_invalid;
   if (run.outcome == engine::Outcome::completed) trial.result = TrialResult::stands;
+}
+
+void conclude(const engine::Model& model, const engine::State& state, double away,
+              const std::vector<double>& before, Trial& trial) {
+  note_movement(model, state, before, trial);
+  if (trial.result == TrialResult::undecided && trial.greatest_movement > away)
+    trial.result = TrialResult::falls;
 }
 
 std::vector<BlockMotion> motion_between(const engine::State& before, const engine::State& after) {
@@ -83,63 +93,106 @@ std::vector<BlockMotion> motion_between(const engine::State& before, const engin
   return motions;
 }
 
-/// The bracket as it is, and what the trial at its upper end started from.
+/// A multiplier that a trial stood, with the state it left and the poses from which it began.
+struct Stood {
+  Trial trial;
+  engine::State state;
+  std::vector<double> before;
+  bool to_the_end = false;  // it was watched for the whole of hold_time
+};
+
+/// The bracket as it is, and the trials that stood below it, the lower the earlier.
 class Search {
  public:
   Search(const engine::Scene& scene, const LoadedScene& loaded, const TiltOptions& options)
       : loaded_(loaded), options_(options), step_(options.first_increment) {
-    const engine::Model model = engine::compile(scene);
-    found_.standing = engine::initial_state(model, scene);
+    start_ = engine::initial_state(engine::compile(scene), scene);
     found_.falls = infinity;
   }
 
   CollapseMultiplier run() {
-    if (!attempt(0.0)) {
-      found_.falls = 0.0;
-      return found_;
+    attempt(0.0);
+    while (!ended_ && !stood_.empty()) {
+      if (!finished())
+        attempt(next());
+      else if (is_sure() || watch_on())
+        break;
     }
-    while (!finished() && !ended_) attempt(next());
     if (ended_) found_.end = TrialResult::undecided;
-    return found_;
+    if (stood_.empty()) found_.falls = 0.0;
+    found_.stands = stands();
+    found_.standing = standing();
+    return std::move(found_);
   }
 
  private:
-  bool narrow() const { return found_.falls - found_.stands <= options_.precision * found_.falls; }
+  double stands() const { return stood_.empty() ? 0.0 : stood_.back().trial.multiplier; }
+  const engine::State& standing() const { return stood_.empty() ? start_ : stood_.back().state; }
+
+  bool narrow() const { return found_.falls - stands() <= options_.precision * found_.falls; }
   bool finished() const {
-    if (found_.end == TrialResult::numerically_invalid || found_.stands >= options_.largest) return true;
-    return std::isfinite(found_.falls) && narrow() && fell_from_ == found_.stands;
+    if (found_.end == TrialResult::numerically_invalid || stands() >= options_.largest) return true;
+    return std::isfinite(found_.falls) && narrow() && fell_from_ == stands();
   }
+  bool is_sure() const { return found_.end == TrialResult::numerically_invalid || stood_.back().to_the_end; }
   double next() const {
-    if (!std::isfinite(found_.falls)) return std::min(options_.largest, found_.stands + step_);
-    return narrow() ? found_.falls : 0.5 * (found_.stands + found_.falls);
+    if (!std::isfinite(found_.falls)) return std::min(options_.largest, stands() + step_);
+    return narrow() ? found_.falls : 0.5 * (stands() + found_.falls);
   }
 
-  bool attempt(double multiplier) {
-    engine::State state = found_.standing;
-    Trial trial = hold(loaded_(multiplier), state, options_.trial);
+  void attempt(double multiplier) {
+    engine::State state = standing();
+    std::vector<double> before = state.y;
+    TrialOptions shortly = options_.trial;
+    shortly.hold_time *= options_.preliminary_hold;
+    Trial trial = hold(loaded_(multiplier), state, shortly);
     trial.multiplier = multiplier;
+    note(trial, state);
+    trial.result == TrialResult::stands
+        ? stood({trial, std::move(state), std::move(before), options_.preliminary_hold == 1.0})
+        : fell(trial, state);
+  }
+
+  /// The rest of the watch of the lower end; whether it stood.
+  bool watch_on() {
+    Stood last = std::move(stood_.back());
+    stood_.pop_back();
+    const engine::Model model = engine::compile(loaded_(last.trial.multiplier));
+    const double away = away_distance(model, options_.trial);
+    const double rest = (1.0 - options_.preliminary_hold) * options_.trial.hold_time;
+    watch(model, last.state, away, rest, last.before, last.trial);
+    conclude(model, last.state, away, last.before, last.trial);
+    note(last.trial, last.state);
+    if (last.trial.result != TrialResult::stands) {
+      fell(last.trial, last.state);
+      return false;
+    }
+    last.to_the_end = true;
+    stood_.push_back(std::move(last));
+    return true;
+  }
+
+  void note(Trial& trial, const engine::State& state) {
     trial.broken_points = state.bonds.broken;
     found_.trials.push_back(trial);
     ended_ = options_.go_on && !options_.go_on(trial);
-    const bool stands = trial.result == TrialResult::stands;
-    stands ? stood(multiplier, std::move(state)) : fell(trial, state);
-    return stands;
   }
-  void stood(double multiplier, engine::State state) {
+
+  void stood(Stood trial) {
+    const double multiplier = trial.trial.multiplier;
     // The upper end did not hold on the slower path: look further up, from its distance.
     if (multiplier == found_.falls)
-      step_ = multiplier - found_.stands, found_.falls = infinity;
+      step_ = multiplier - stands(), found_.falls = infinity;
     else
       step_ = std::min(2.0 * step_, options_.first_increment);
-    found_.stands = multiplier;
-    found_.standing = std::move(state);
+    stood_.push_back(std::move(trial));
     found_.end = TrialResult::stands;
   }
   void fell(const Trial& trial, const engine::State& state) {
     found_.falls = trial.multiplier;
     found_.end = trial.result;
-    found_.mechanism = motion_between(found_.standing, state);
-    fell_from_ = found_.stands;
+    found_.mechanism = motion_between(standing(), state);
+    fell_from_ = stands();
   }
 
   const LoadedScene& loaded_;
@@ -147,6 +200,8 @@ class Search {
   bool ended_ = false;
   double step_;
   double fell_from_ = infinity;
+  engine::State start_;
+  std::vector<Stood> stood_;
   CollapseMultiplier found_;
 };
 
@@ -181,10 +236,9 @@ Trial hold(const engine::Scene& scene, engine::State& state, const TrialOptions&
   const std::vector<double> before = state.y;
   const double away = away_distance(model, options);
   Trial trial;
-  if (come_to_rest(model, state, away, options, trial)) watch(model, state, away, options, before, trial);
-  note_movement(model, state, before, trial);
-  if (trial.result == TrialResult::undecided && trial.greatest_movement > away)
-    trial.result = TrialResult::falls;
+  if (come_to_rest(model, state, away, options, trial))
+    watch(model, state, away, options.hold_time, before, trial);
+  conclude(model, state, away, before, trial);
   return trial;
 }
 
@@ -198,6 +252,8 @@ CollapseMultiplier find_collapse_multiplier(const engine::Scene& scene, const Lo
   check(scene, options.trial);
   require(options.first_increment > 0.0 && options.largest > 0.0, "expected positive steps of the load");
   require(options.precision > 0.0 && options.precision < 1.0, "expected a precision between 0 and 1");
+  require(options.preliminary_hold > 0.0 && options.preliminary_hold <= 1.0,
+          "expected a preliminary hold of a part of the whole, above 0");
   return Search(scene, loaded, options).run();
 }
 

@@ -11,6 +11,11 @@
 //   2. what has come to rest is let go without it and watched for hold_time: slow collapse looks like rest.
 // A trial stands when no block moves by more than `away` in 1, comes to rest, and none does so in 2.
 //
+// Only where the answer lies does a trial have to be watched for so long. The search watches its trials for
+// a part of hold_time, preliminary_hold, and once the bracket is narrow goes on watching the one at its lower
+// end from where it was left, to the whole of hold_time. If that one falls it is the upper end, and the
+// search goes on from the trial that stood before it.
+//
 // find_collapse_multiplier() raises the load in steps and halves them where a trial does not stand. Each
 // trial starts where the last one stood, so the path is that of a load that grows slowly; the trial that
 // bounds the answer from above is repeated from the nearest one that stood. With friction the answer of real
@@ -43,6 +48,7 @@ struct Trial {
   double multiplier = 0.0;  // -
   TrialResult result = TrialResult::undecided;
   double duration = 0.0;           // s, simulated
+  double watched = 0.0;            // s of it, at rest without local damping
   double unbalanced_ratio = 0.0;   // of the weight, where it came to rest, or not
   double greatest_movement = 0.0;  // m
   std::string moved_most;          // name of that block
@@ -61,9 +67,10 @@ engine::Scene tilted(const engine::Scene& scene, double multiplier, Direction to
 
 struct TiltOptions {
   Direction towards = Direction::right;
-  double first_increment = 0.1;  // of lambda
-  double largest = 10.0;         // lambda at which the search ends
-  double precision = 0.005;      // (falls - stands) / falls
+  double first_increment = 0.1;   // of lambda
+  double largest = 10.0;          // lambda at which the search ends
+  double precision = 0.005;       // (falls - stands) / falls
+  double preliminary_hold = 0.1;  // of trial.hold_time: watched before the bracket is narrow
   TrialOptions trial;
   std::function<bool(const Trial&)> go_on;  // told of every trial; false ends the search, undecided
 };
@@ -74,10 +81,10 @@ struct BlockMotion {
 };
 
 struct CollapseMultiplier {
-  double stands = 0.0;  // the greatest multiplier that a trial stood
+  double stands = 0.0;  // the greatest multiplier that a trial stood for the whole of hold_time
   double falls = 0.0;   // the least that none stood; infinite if there is none below the largest
   TrialResult end = TrialResult::stands;  // of the trial at `falls`: why it is the upper bound
-  std::vector<Trial> trials;              // in the order they were made
+  std::vector<Trial> trials;              // in the order they were made; one that is watched on is two
   engine::State standing;                 // at `stands`
   std::vector<BlockMotion> mechanism;     // of each block in the trial at `falls`
 };

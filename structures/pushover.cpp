@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "engine/fields/applied_force.h"
+#include "structures/bond_damage.h"
 
 namespace dougong::structures {
 namespace {
@@ -122,38 +123,28 @@ class Curve {
 
   void note(double multiplier) {
     const std::size_t index = curve_.points.size(), before = curve_.events.size();
+    const std::vector<BondDamage> damage = bond_damage(model_, state_);
     for (std::size_t bond = 0; bond < cracked_.size(); ++bond) {
-      if (cracked_[bond] || !cracks(bond)) continue;
+      if (cracked_[bond] || damage[bond].mode.empty()) continue;
       cracked_[bond] = true;
-      curve_.events.push_back({bond, index, how(bond)});
+      curve_.events.push_back({bond, index, std::string(damage[bond].mode)});
     }
     std::stable_sort(curve_.events.begin() + static_cast<std::ptrdiff_t>(before), curve_.events.end(),
                      [&](const BondEvent& a, const BondEvent& b) { return width(a.bond) > width(b.bond); });
     curve_.points.push_back({multiplier, displacement(), roof(), unbalanced_, curve_.events.size()});
   }
 
-  /// How far the face has opened (m).
+  /// How far the face has opened or closed (m).
   double width(std::size_t bond) const {
     const auto opened = [&](std::size_t end) {
-      return std::max(history(bond, end).widest, history(bond, end).plastic);
+      const engine::BondHistory& h = history(bond, end);
+      return std::max({h.widest, h.plastic, h.crushed});
     };
     return std::max(opened(0), opened(1));
   }
   const engine::BondHistory& history(std::size_t bond, std::size_t end) const {
     return state_.bonds.history[2 * bond + end];
   }
-  bool cracks(std::size_t bond) const {
-    const auto cracked = [&](std::size_t end) {
-      return engine::has_cracked(model_.bond_points[2 * bond + end].law, history(bond, end));
-    };
-    return cracked(0) || cracked(1);
-  }
-  std::string how(std::size_t bond) const {
-    if (history(bond, 0).sheared || history(bond, 1).sheared) return "shear";
-    const auto flows = [&](std::size_t end) { return history(bond, end).plastic != 0.0; };
-    return flows(0) || flows(1) ? "yield" : "tension";
-  }
-
   const PushoverOptions& options_;
   double sign_;
   engine::Scene scene_;  // under the loads

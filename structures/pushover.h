@@ -48,7 +48,7 @@ struct PushoverOptions {
 struct BondEvent {
   std::size_t bond = 0;   // of the scene
   std::size_t point = 0;  // of the curve, after which it has happened
-  std::string how;        // "tension", "shear", "yield"
+  std::string how;        // "tension", "shear", "yield", "crushing"
 };
 
 struct CapacityPoint {

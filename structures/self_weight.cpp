@@ -28,13 +28,14 @@ struct PointLoad {
 PointLoad load_of(const engine::BondPoint& point, const engine::BondHistory& history,
                   std::span<const engine::Frame> frames) {
   const engine::BondGeometry g = engine::bond_geometry(point, frames);
-  const engine::BondMotion motion{g.opening, g.slip, 0.0, 0.0, g.opening};
+  const engine::BondMotion motion{g.opening, g.slip, 0.0, 0.0, g.opening + history.crushed};
   return {engine::bond_force(point.law, motion, history), frames[point.a].position() + g.arm_a};
 }
 
 void judge_point(const engine::BondPoint& point, const engine::BondHistory& history, const PointLoad& load,
                  FaceLoad& face) {
   if (point.law.ductile()) judge(face, FaceLimit::yield, load.force.normal / point.law.yield);
+  judge(face, FaceLimit::crushing, -load.force.normal / point.law.crushing);
   const double limit = engine::shear_limit(point.law, load.force.normal, history);
   if (limit > 0.0) judge(face, FaceLimit::shear, std::abs(load.force.tangential) / limit);
 }
@@ -117,6 +118,8 @@ std::string to_string(FaceLimit limit) {
       return "tension";
     case FaceLimit::yield:
       return "yield";
+    case FaceLimit::crushing:
+      return "crushing";
     case FaceLimit::shear:
       return "shear";
     case FaceLimit::friction:

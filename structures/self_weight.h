@@ -5,12 +5,12 @@
 // A bonded face of length L and area A has two points at +-L/(2 sqrt 3), whose stresses s1, s2 give
 //   s(edge) = (s1 + s2)/2 +- sqrt(3) (s1 - s2)/2
 // and uses of its strength  tension at its edge / tensile strength, or force / yield of a ductile point, and
-// |T| / (cohesion + mu N) at the worse point. A dry face has no tension: with e' = 2 |e| / L its greatest
-// stress is
+// |T| / (cohesion + mu N) and N / crushing force at the worse point, if it has one. A dry face has no
+// tension: with e' = 2 |e| / L its greatest stress is
 //   N/A (1 + 3 e')  to e' = 1/3,   4/3 N / (A (1 - e'))  beyond,
 // and it uses e' of what it can turn before it hinges about its end, and |T| / (mu N) of its friction.
-// Navier's linear stress, as in Heyman, The Stone Skeleton (1966). Nothing crushes: no strength in
-// compression is modelled, so that stress is given and not judged.
+// Navier's linear stress, as in Heyman, The Stone Skeleton (1966). A face without a strength in compression,
+// as every dry one, has its stress given and not judged.
 #pragma once
 
 #include <string>
@@ -20,7 +20,7 @@
 
 namespace dougong::structures {
 
-enum class FaceLimit { none, tension, yield, shear, friction, turning };
+enum class FaceLimit { none, tension, yield, crushing, shear, friction, turning };
 std::string to_string(FaceLimit limit);
 
 struct FaceLoad {

@@ -1,5 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+
 #include "app/cli/commands.h"
 #include "app/cli/model_picture.h"
 #include "app/cli/output_folder.h"
@@ -22,20 +25,28 @@
 namespace dougong::app {
 namespace {
 
-std::string printed(const structures::Parameter& p, double value) {
-  return p.choices.empty() ? print_quantity(value, p.dimension) : print_value(p, value);
+std::string printed(const structures::Parameter& p, const structures::ParameterValue& value) {
+  const bool number = p.choices.empty() && !p.is_text();
+  return number ? print_quantity(value.number, p.dimension) : print_value(p, value);
 }
 
 std::string range_of(const structures::Parameter& p) {
+  if (p.is_text()) return "text";
   return p.choices.empty() ? printed(p, p.least) + " .. " + printed(p, p.most)
                            : fmt::format("{}", fmt::join(p.choices, ", "));
 }
 
 void print_parameters(const structures::Layout& layout, const structures::ParameterMap& values) {
-  fmt::print("{:<20}{:>12}{:>12}   {:<26}{}\n", "parameter", "value", "default", "range", "meaning");
+  std::vector<std::array<std::string, 4>> rows{{"parameter", "value", "default", "range"}};
+  std::array<std::size_t, 4> width{};
   for (const structures::Parameter& p : layout.parameters)
-    fmt::print("{:<20}{:>12}{:>12}   {:<26}{}\n", p.name, printed(p, values.at(p.name)),
-               printed(p, p.standard), range_of(p), p.meaning);
+    rows.push_back({p.name, printed(p, values.at(p.name)), printed(p, standard_of(p)), range_of(p)});
+  for (const auto& row : rows)
+    for (std::size_t k = 0; k < row.size(); ++k) width[k] = std::max(width[k], row[k].size());
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    fmt::print("{:<{}}  {:>{}}  {:>{}}   {:<{}}  {}\n", rows[i][0], width[0], rows[i][1], width[1],
+               rows[i][2], width[2], rows[i][3], width[3],
+               i == 0 ? "meaning" : layout.parameters[i - 1].meaning);
 }
 
 Scenario scenario_of(const LayoutOptions& options, const std::string& command) {
@@ -86,7 +97,7 @@ LayoutEntry entry_of(const structures::Layout& layout) {
   const structures::Building building = structures::build_layout(layout.name);
   LayoutEntry entry{model_sheet(building), period_of(settled(building)), layout.counting, {}};
   for (const structures::Parameter& p : layout.parameters)
-    entry.parameters.push_back({p.name, printed(p, p.standard), range_of(p), p.meaning});
+    entry.parameters.push_back({p.name, printed(p, standard_of(p)), range_of(p), p.meaning});
   return entry;
 }
 

@@ -126,7 +126,7 @@ void add_statics_options(CLI::App& command, StaticsOptions& o) {
   command.add_option("--precision", o.precision, "Width of the bracket over its upper end (0.005)");
   command.add_option("--step", o.step, "Of the multiplier, while all trials stand (0.1)");
   command.add_option("--largest", o.largest, "Multiplier at which the search ends (2)");
-  command.add_option("--hold", o.hold, "Watched at rest in every trial (\"5 s\")");
+  command.add_option("--hold", o.hold, "What stands at the end is watched at rest for so long (\"5 s\")");
   command.add_option("--out", o.out, "Folder for the results (LAYOUT-tilt, LAYOUT-pushover)");
   command.add_flag("--force", o.force, "Write into a folder that already holds something");
 }

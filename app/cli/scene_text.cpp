@@ -71,14 +71,20 @@ ToneLine headline(const SceneResult& r) {
   return {fmt::format("Completed: {:.4g} s simulated.", n.end_time), Tone::good};
 }
 
-// "3 of 5 cracked, 2 of them broken; the first, joint 2, at 1.24 s"
+// ", 1 crushed" or nothing.
+std::string crushed_text(const std::vector<DrawnBond>& bonds) {
+  const auto crushed = std::ranges::count_if(bonds, [](const DrawnBond& b) { return b.crushed < b.never; });
+  return crushed > 0 ? fmt::format(", {} crushed", crushed) : "";
+}
+
+// "3 of 5 cracked, 2 broken; the first, joint 2, at 1.24 s"
 std::string bonds_text(const std::vector<DrawnBond>& bonds) {
   const auto cracked = std::ranges::count_if(bonds, [](const DrawnBond& b) { return b.cracked < b.never; });
   const auto broken = std::ranges::count_if(bonds, [](const DrawnBond& b) { return b.broken < b.never; });
-  if (cracked == 0) return plural(bonds.size(), "bond") + ", none cracked";
+  if (cracked == 0) return plural(bonds.size(), "bond") + ", none cracked" + crushed_text(bonds);
   const DrawnBond& first = *std::ranges::min_element(bonds, {}, &DrawnBond::cracked);
-  return fmt::format("{} of {} cracked, {} broken; the first, {}, at {:.4g} s", cracked, bonds.size(), broken,
-                     first.name, first.cracked);
+  return fmt::format("{} of {} cracked{}, {} broken; the first, {}, at {:.4g} s", cracked, bonds.size(),
+                     crushed_text(bonds), broken, first.name, first.cracked);
 }
 
 }  // namespace

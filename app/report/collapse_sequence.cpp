@@ -28,6 +28,8 @@ void add_bonds(const RunResult& run, std::vector<CollapseEvent>& events) {
     const std::string storey = storey_of(run.model, bond);
     if (bond.cracked < DrawnBond::never)
       events.push_back({bond.cracked, "bond cracked", bond.name, storey, bond.mode});
+    if (bond.crushed < DrawnBond::never)
+      events.push_back({bond.crushed, "bond crushed", bond.name, storey, ""});
     if (bond.broken < DrawnBond::never) events.push_back({bond.broken, "bond broke", bond.name, storey, ""});
   }
 }

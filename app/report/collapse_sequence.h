@@ -10,7 +10,7 @@ namespace dougong::app {
 
 struct CollapseEvent {
   double time = 0.0;   // s
-  std::string what;    // "bond cracked", "bond broke", "support lost", "storey lost"
+  std::string what;    // "bond cracked", "bond crushed", "bond broke", "support lost", "storey lost"
   std::string where;   // name of the bond, block or storey
   std::string storey;  // may be empty
   std::string how;     // "shear", "fell 1.30 m"; may be empty

@@ -38,7 +38,7 @@ inline constexpr Colour hatch{0.38, 0.38, 0.38};
 inline constexpr Colour block{0.90, 0.91, 0.93};
 inline constexpr Colour white{1.0, 1.0, 1.0};
 inline constexpr Colour lost{0.83, 0.0, 0.0};
-inline constexpr Colour bond{0.0, 0.33, 0.62}, cracked{0.93, 0.53, 0.0};
+inline constexpr Colour bond{0.0, 0.33, 0.62}, cracked{0.93, 0.53, 0.0}, crushed{0.55, 0.2, 0.65};
 }  // namespace ink
 
 }  // namespace dougong::app

@@ -89,10 +89,10 @@ std::string roof_and_base_shear_csv(const RunResult& run) {
 
 std::string damage_csv(const RunResult& run) {
   const auto time = [](double t) { return t < DrawnBond::never ? exact(t) : std::string(); };
-  std::string text = "bond,storey,mode,cracked (s),broken (s)\n";
+  std::string text = "bond,storey,mode,cracked (s),crushed (s),broken (s)\n";
   for (const DrawnBond& bond : run.model.bonded)
     text += csv_text(bond.name) + "," + csv_text(storey_of(run.model, bond)) + "," + bond.mode + "," +
-            time(bond.cracked) + "," + time(bond.broken) + "\n";
+            time(bond.cracked) + "," + time(bond.crushed) + "," + time(bond.broken) + "\n";
   return text;
 }
 

@@ -16,7 +16,7 @@ std::string drift_csv(const RunResult& run);         // time; drift and lost of 
 std::string shear_drift_csv(const RunResult& run);   // the same without the rotation of the storeys' bases
 std::string acceleration_csv(const RunResult& run);  // time; absolute floor acceleration and lost
 std::string roof_and_base_shear_csv(const RunResult& run);
-/// Each bond with its storey, and how and when it cracked and broke.
+/// Each bond with its storey, and how and when it cracked, was crushed and broke.
 std::string damage_csv(const RunResult& run);
 struct FloorSpectra;
 /// Period; pseudo-acceleration of the ground and of every floor.

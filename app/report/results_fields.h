@@ -2,7 +2,7 @@
 // writer and the reader both walk it, so they cannot disagree.
 //
 // An Archive has group(name, inner), optional_group(name, inner) and
-// optional_field(...) for what older files lack, field(name, unit,
+// optional_field(...) and optional_column(...) for what older files lack, field(name, unit,
 // value), matrix(name, unit, values, shape), rows(name, list, inner) for numbered groups and column(name,
 // unit, list, member) for tables.
 #pragma once
@@ -58,6 +58,7 @@ void walk_model(A& a, R& model) {
       a.column("cracked", "s", model.bonded, &DrawnBond::cracked);
       a.column("broken", "s", model.bonded, &DrawnBond::broken);
       a.column("mode", "", model.bonded, &DrawnBond::mode);
+      a.optional_column("crushed", "s", model.bonded, &DrawnBond::crushed);
     });
     a.table("joints", model.links, [&] {
       a.column("a", "", model.links, &DrawnLink::a);

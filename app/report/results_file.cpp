@@ -77,6 +77,11 @@ class Reader {
     const std::vector<T> values = column_of<T>(name, unit, rows);
     for (std::size_t i = 0; i < rows.size(); ++i) rows[i].*member.*part = values[i];
   }
+  /// One that older files lack: its rows keep what they hold.
+  template <class Row, class T>
+  void optional_column(const std::string& name, const char* unit, std::vector<Row>& rows, T Row::*member) {
+    if (h5::has(here_, name)) column(name, unit, rows, member);
+  }
 
   void field(const std::string& name, const char*, double& value) {
     value = one(h5::read_numbers(here_, name), name);

@@ -57,6 +57,11 @@ class ResultsWriter {
     for (const Row& row : rows) values.push_back(row.*member.*part);
     field(name, unit, values);
   }
+  template <class Row, class T>
+  void optional_column(const std::string& name, const char* unit, const std::vector<Row>& rows,
+                       T Row::*member) {
+    column(name, unit, rows, member);
+  }
 
   void field(const std::string& name, const char* unit, double value) {
     h5::write_numbers(here_, name, unit, {}, &value);

@@ -196,7 +196,7 @@ void draw_links(Drawing& drawing, const ModelSheet& model, const Camera& camera,
   }
 }
 
-/// Bonds: the bonded face in blue, cracked in orange, broken as a thin red line.
+/// Bonds: the bonded face in blue, cracked in orange, crushed in violet, broken as a thin red line.
 template <class PoseOf>
 void draw_bonds(Drawing& drawing, const ModelSheet& model, const Camera& camera, double scale, double time,
                 PoseOf pose_of) {
@@ -208,7 +208,9 @@ void draw_bonds(Drawing& drawing, const ModelSheet& model, const Camera& camera,
     const Vec2 a = at(bond.start), b = at(bond.end);
     if (!drawable({a, b, a})) continue;
     const bool broken = bond.broken <= time, cracked = bond.cracked <= time;
-    drawing.line(a, b, (broken ? 0.9 : 2.4) * scale, broken ? ink::lost : cracked ? ink::cracked : ink::bond);
+    const bool crushed = bond.crushed <= time;
+    const Colour colour = broken ? ink::lost : crushed ? ink::crushed : cracked ? ink::cracked : ink::bond;
+    drawing.line(a, b, (broken ? 0.9 : 2.4) * scale, colour);
   }
 }
 
@@ -494,6 +496,12 @@ const Frame& telling_frame(const RunResult& run, const std::vector<Frame>& frame
                            [&](const Frame& a, const Frame& b) { return largest(a) < largest(b); });
 }
 
+std::string bonds_text(const ModelSheet& model) {
+  const bool crushed = std::ranges::any_of(
+      model.bonded, [](const DrawnBond& bond) { return bond.crushed < DrawnBond::never; });
+  return std::string("Bonds: blue; cracked orange, ") + (crushed ? "crushed violet, " : "") + "broken red.";
+}
+
 SceneView view_of(const RunResult& run, const std::vector<Frame>& frames) {
   SceneView view;
   const double movement = largest_movement(run, frames);
@@ -509,7 +517,7 @@ SceneView view_of(const RunResult& run, const std::vector<Frame>& frames) {
         rides ? "displacement relative to the ground since the start" : "displacement since the start";
   }
   if (!run.model.bonded.empty())
-    view.camera += std::string(view.camera.empty() ? "" : " ") + "Bonds: blue; cracked orange, broken red.";
+    view.camera += std::string(view.camera.empty() ? "" : " ") + bonds_text(run.model);
   view.box = framed(run_bounds(run, steps, view.magnification));
   return view;
 }

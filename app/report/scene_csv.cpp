@@ -37,9 +37,10 @@ std::string row(const SceneResult& r, const Wanted& wanted, std::size_t step, st
 
 std::string bonds_csv(const SceneResult& result) {
   const auto time = [](double t) { return t < DrawnBond::never ? exact(t) : std::string(); };
-  std::string text = "bond,cracked (s),broken (s)\n";
+  std::string text = "bond,cracked (s),crushed (s),broken (s)\n";
   for (const DrawnBond& bond : result.run.model.bonded)
-    text += csv_text(bond.name) + "," + time(bond.cracked) + "," + time(bond.broken) + "\n";
+    text += csv_text(bond.name) + "," + time(bond.cracked) + "," + time(bond.crushed) + "," +
+            time(bond.broken) + "\n";
   return text;
 }
 

@@ -123,7 +123,7 @@ Html trials_part(const StaticResult& r, const std::vector<Picture>& pictures) {
              "Each trial starts where the last one stood, looks for its equilibrium and is then watched "
              "without damping.",
              {"figures/trials.svg", "figures/trials.png", "trials.csv"}) +
-         paragraph(fmt::format("Bracket of {} %; held for {} each.",
+         paragraph(fmt::format("Bracket of {} %; what stands at its lower end was watched for {}.",
                                significant(100.0 * r.choice.precision, 2), seconds(r.choice.hold_time)));
 }
 

@@ -75,17 +75,18 @@ double tilt_degrees(double multiplier) {
 
 std::string trials_csv(const StaticResult& r) {
   std::string out =
-      "towards,trial,multiplier (1),tilt (deg),result,simulated (s),unbalanced over weight (1),greatest "
+      "towards,trial,multiplier (1),tilt (deg),result,simulated (s),watched (s),unbalanced over weight "
+      "(1),greatest "
       "movement (m),"
       "moved most,kinetic energy (J),broken bond points,detail\n";
   for (const SideResult& s : r.sides)
     for (std::size_t i = 0; i < s.found.trials.size(); ++i) {
       const structures::Trial& t = s.found.trials[i];
-      out +=
-          fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}\n", to_string(s.side), i + 1, exact(t.multiplier),
-                      r.choice.pattern ? "" : exact(tilt_degrees(t.multiplier)), to_string(t.result),
-                      exact(t.duration), exact(t.unbalanced_ratio), exact(t.greatest_movement),
-                      csv_text(t.moved_most), exact(t.kinetic_energy), t.broken_points, csv_text(t.detail));
+      out += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", to_string(s.side), i + 1,
+                         exact(t.multiplier), r.choice.pattern ? "" : exact(tilt_degrees(t.multiplier)),
+                         to_string(t.result), exact(t.duration), exact(t.watched), exact(t.unbalanced_ratio),
+                         exact(t.greatest_movement), csv_text(t.moved_most), exact(t.kinetic_energy),
+                         t.broken_points, csv_text(t.detail));
     }
   return out;
 }

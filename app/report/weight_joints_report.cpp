@@ -94,7 +94,7 @@ Html page_weight(const RunResult& run, const std::vector<Picture>& pictures) {
              "place "
              "where the force passes (2 e/L: 1 at its end) and its friction; a bonded face its tensile "
              "strength at the "
-             "edge, its yield force or its shear strength. Nothing crushes in the model: compression is "
+             "edge, its yield force or its shear strength. Compression without a strength is "
              "given, not "
              "judged.") +
          figure_named(pictures, "figures/weight.svg", "Faces coloured by the use of their nearest limit.",

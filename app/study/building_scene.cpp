@@ -111,6 +111,7 @@ BondChoice choice_of(const engine::Bond& bond, const engine::Scene& scene) {
   choice.tensile_strength = unless_endless(bond.tensile_strength);
   choice.cohesion = unless_endless(bond.cohesion);
   choice.yield_strength = unless_endless(bond.yield_strength);
+  choice.compressive_strength = unless_endless(bond.compressive_strength);
   if (choice.cohesion) choice.friction = bond.friction_coefficient;
   choice.fracture_energy = bond.fracture_energy;
   choice.damping_ratio = bond.damping_ratio;

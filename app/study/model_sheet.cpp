@@ -1,6 +1,8 @@
 // What the report and the terminal say of the model.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "app/study/prepare.h"
@@ -67,13 +69,21 @@ std::vector<std::string> modelled_terms(const Preparation& p) {
   return terms;
 }
 
+/// What the bonds leave out.
+std::string missing_of_bonds(const engine::Scene& scene) {
+  if (scene.bonds.empty()) return "mortar, ties, reinforcement and other bonds: the assembly is dry";
+  const bool crush = std::ranges::any_of(
+      scene.bonds, [](const auto& bond) { return std::isfinite(bond.compressive_strength); });
+  const std::string crushing =
+      crush ? "crushing of a face that has cracked, which is told and changes nothing" : "crushing";
+  return crushing + ", and rupture of what yields: a ductile bond never tears";
+}
+
 std::vector<std::string> missing_terms(const Preparation& p) {
   std::vector<std::string> terms{
       "deformation, cracking and crushing within a block: blocks are rigid, their elasticity acts at the "
       "contacts",
-      "out-of-plane motion and torsion: the model is plane",
-      p.building.scene.bonds.empty() ? "mortar, ties, reinforcement and other bonds: the assembly is dry"
-                                     : "crushing, and rupture of what yields: a ductile bond never tears",
+      "out-of-plane motion and torsion: the model is plane", missing_of_bonds(p.building.scene),
       "soil flexibility and soil-structure interaction: the ground is rigid and moves as prescribed"};
   if (!p.motion.ground->vertical()) terms.push_back("vertical ground motion");
   return terms;

@@ -103,6 +103,7 @@ void change_ties(engine::Scene& scene, const Perturbation& by, const Numbers& nu
     engine::Bond& bond = scene.bonds[i];
     const double strength = numbers.factor(by.strength, What::strength, i);
     bond.tensile_strength *= strength, bond.cohesion *= strength, bond.yield_strength *= strength;
+    bond.compressive_strength *= strength;
     bond.friction_coefficient *= numbers.factor(by.friction, What::bond_friction, i);
     bond.damping_ratio *= numbers.factor(by.damping, What::bond_damping, i);
   }

@@ -42,7 +42,8 @@ struct DrawnBond {
   std::size_t owner = 0;                   // numbered as in DrawnLink
   engine::Vec2 start, end;                 // m
   double cracked = never, broken = never;  // s
-  std::string mode = {};  // how it cracked first: "tension", "shear", "yield"; empty while sound
+  std::string mode = {};   // the first: "tension", "shear", "yield", "crushing"; empty while sound
+  double crushed = never;  // s, as structures/bond_damage.h says
   static constexpr double never = std::numeric_limits<double>::infinity();
 };
 

@@ -10,6 +10,7 @@
 #include "app/study/quantity.h"
 #include "app/study/version.h"
 #include "seismic/formats/file_text.h"
+#include "structures/bond_damage.h"
 
 namespace dougong::app {
 namespace {
@@ -172,24 +173,16 @@ void draw_connections(const engine::Scene& scene, ModelSheet& sheet) {
     sheet.links.push_back({place(joint.a), place(joint.b), joint.anchor_a, joint.anchor_b});
 }
 
-namespace {
-
-std::string mode_of(const engine::BondHistory& first, const engine::BondHistory& second) {
-  if (first.sheared || second.sheared) return "shear";
-  return first.plastic != 0.0 || second.plastic != 0.0 ? "yield" : "tension";
-}
-
-}  // namespace
-
 void note_damage(const engine::Model& model, const engine::State& state, std::vector<DrawnBond>& bonds) {
-  const auto& points = state.bonds.history;
+  const std::vector<structures::BondDamage> damage = structures::bond_damage(model, state);
+  const auto note = [&](bool happened, double& time) {
+    if (happened) time = std::min(time, state.time);
+  };
   for (std::size_t i = 0; i < bonds.size(); ++i) {
-    const engine::BondHistory &first = points[2 * i], &second = points[2 * i + 1];
-    const bool cracked = engine::has_cracked(model.bond_points[2 * i].law, first) ||
-                         engine::has_cracked(model.bond_points[2 * i + 1].law, second);
-    if (cracked && bonds[i].mode.empty())
-      bonds[i].cracked = state.time, bonds[i].mode = mode_of(first, second);
-    if (first.broken && second.broken) bonds[i].broken = std::min(bonds[i].broken, state.time);
+    if (bonds[i].mode.empty()) bonds[i].mode = damage[i].mode;
+    note(damage[i].cracked, bonds[i].cracked);
+    note(damage[i].crushed, bonds[i].crushed);
+    note(damage[i].broken, bonds[i].broken);
   }
 }
 

@@ -32,7 +32,8 @@ DrawnShape drawn_shape(const engine::Body& body, const engine::Scene& scene);
 DrawnShape drawn_shape(const engine::Terrain& terrain, const engine::Scene& scene);
 /// The scene's joints and bonds as they are drawn.
 void draw_connections(const engine::Scene& scene, ModelSheet& sheet);
-/// When each bond cracked and broke, as seen at this time. A bond has two points; half broken is cracked.
+/// When each bond cracked, was crushed and broke, as seen at this time. A bond has two points; half broken is
+/// cracked.
 void note_damage(const engine::Model& model, const engine::State& state, std::vector<DrawnBond>& bonds);
 NamedValue material_sheet(const engine::Material& material);
 

@@ -201,11 +201,15 @@ class Reader {
     throw QuantityError(fmt::format("expected {}, in quotes", kind_of(parameter)));
   }
 
+  static structures::ParameterValue value_of(const structures::Parameter& parameter, const Entry& entry) {
+    if (parameter.is_text()) return word_of(entry, parameter);
+    if (parameter.choices.empty()) return number_of(entry, parameter.dimension);
+    return structures::value_of_word(parameter, word_of(entry, parameter));
+  }
+
   /// The layout judges the value itself.
   static void set_parameter(const Part& part, const structures::Parameter& parameter, const Entry& entry) {
-    const double value = parameter.choices.empty()
-                             ? number_of(entry, parameter.dimension)
-                             : structures::value_of_word(parameter, word_of(entry, parameter));
+    const structures::ParameterValue value = value_of(parameter, entry);
     structures::complete_parameters(*part.layout, {{parameter.name, value}});
     part.choice->parameters[parameter.name] = value;
   }

@@ -15,9 +15,9 @@ std::string line(const std::string& name, const std::string& value, const std::s
   return fmt::format("{} = {}{}\n", name, value, comment);
 }
 
-std::string parameter_value(const structures::Parameter& parameter, double value) {
-  return parameter.choices.empty() ? toml_number(value, parameter.dimension)
-                                   : toml_text(print_value(parameter, value));
+std::string parameter_value(const structures::Parameter& parameter, const structures::ParameterValue& value) {
+  const bool number = parameter.choices.empty() && !parameter.is_text();
+  return number ? toml_number(value.number, parameter.dimension) : toml_text(print_value(parameter, value));
 }
 
 std::string parameter_lines(const LayoutChoice& choice, Comments comments) {
@@ -25,8 +25,8 @@ std::string parameter_lines(const LayoutChoice& choice, Comments comments) {
   const auto values = structures::complete_parameters(layout, choice.parameters);
   std::string text;
   for (const structures::Parameter& parameter : layout.parameters)
-    text +=
-        line(parameter.name, parameter_value(parameter, values(parameter.name)), parameter.meaning, comments);
+    text += line(parameter.name, parameter_value(parameter, values.all().at(parameter.name)),
+                 parameter.meaning, comments);
   return text;
 }
 

@@ -464,6 +464,7 @@ class Builder {
     bond.friction_coefficient = choice.friction;
     bond.fracture_energy = choice.fracture_energy;
     bond.yield_strength = choice.yield_strength.value_or(bond.yield_strength);
+    bond.compressive_strength = choice.compressive_strength.value_or(bond.compressive_strength);
     bond.damping_ratio = choice.damping_ratio;
     out_.scene.bonds.push_back(bond);
   }

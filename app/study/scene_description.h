@@ -96,7 +96,8 @@ struct BondChoice {
   std::string name;
   std::string a, b;
   engine::Vec2 start, end;  // m
-  std::optional<double> normal_stiffness, shear_stiffness, tensile_strength, cohesion, yield_strength;
+  std::optional<double> normal_stiffness, shear_stiffness, tensile_strength, cohesion, yield_strength,
+      compressive_strength;
   double friction = engine::Bond{}.friction_coefficient;
   double fracture_energy = engine::Bond{}.fracture_energy;
   double damping_ratio = engine::Bond{}.damping_ratio;

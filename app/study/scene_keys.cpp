@@ -238,6 +238,8 @@ std::vector<Key<BondChoice>> bond_keys() {
                 "in tension; 0: breaks at once"),
       number<B>("yield_strength", AT(B, yield_strength), pressure, above_zero, endless,
                 "ductile, in tension, if below the tensile strength; none: does not yield"),
+      number<B>("compressive_strength", AT(B, compressive_strength), pressure, above_zero, endless,
+                "at which a face without a crack closes plastically; none: does not crush"),
       number<B>("damping_ratio", AT(B, damping_ratio), ratio, 0, 1e3, "local"),
   };
 }

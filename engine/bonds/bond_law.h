@@ -1,6 +1,6 @@
 // The law of a bond at one Gauss point of its face.
 //
-//   e = g - p                 opening g less the plastic opening p (m)
+//   e = g - p + c             opening g less the plastic opening p, and the closing c that crushing left (m)
 //   N = kn e (1 - D)          tension > 0; D = 0 in compression
 //   T = kt s,  |T| <= C (1 - D) + mu max(0, -N) (- mu N in tension)      s slip from the anchor
 //
@@ -13,9 +13,12 @@
 // own opening, so that it takes its fracture energy. Ductile, if Fy < Ft: N stays at Fy and p grows; slip
 // beyond the shear strength then flows too. Otherwise shear beyond its strength breaks the point.
 //
-// A face that is joined bears compression by its points. Once a point has left the elastic range the face has
-// a crack: the bodies touch there as contacts do (contact/contact_set.h), which bear compression and
-// friction, and what is left of the points holds tension and cohesion only. A broken point then does nothing.
+// A face that is joined bears compression by its points, to Fc each: N stays at -Fc and c grows. Here the
+// stress at the point is asked, not that at the edge: an edge that crushes passes its load on instead of
+// tearing, and a point at its strength is the block of stress fc over its half of the face, with L/(2 sqrt 3)
+// for an arm in place of L/4. Once a point has left the elastic range in tension or shear the face has a
+// crack: the bodies touch there as contacts do (contact/contact_set.h), which bear compression and friction,
+// and what is left of the points holds tension and cohesion only. A broken point then does nothing.
 //
 // Units: N and m; the stiffness of the point's tributary area, its strengths times that area.
 #pragma once
@@ -32,6 +35,7 @@ struct BondStiffness {
   double tension = std::numeric_limits<double>::infinity();   // N, Ft
   double cohesion = std::numeric_limits<double>::infinity();  // N, C
   double yield = std::numeric_limits<double>::infinity();     // N, Fy
+  double crushing = std::numeric_limits<double>::infinity();  // N, Fc
   double friction = 0.0;                                      // -, mu
   double last_opening = 0.0;                                  // m, wf; 0: brittle
   bool ductile() const { return yield < tension; }
@@ -39,6 +43,7 @@ struct BondStiffness {
 
 struct BondHistory {
   double plastic = 0.0;  // m, opening that stays
+  double crushed = 0.0;  // m, closing that stays, c
   double widest = 0.0;   // m, w
   double anchor = 0.0;   // m, where the shear spring is relaxed
   bool broken = false;
@@ -47,12 +52,13 @@ struct BondHistory {
   bool was_joined = false;  // until its face cracked: the contacts there are damped as the bond while it ties
   /// Nothing is left of it: the contacts bear what there is to bear.
   bool gone() const { return broken && !joined; }
+  double relaxed() const { return plastic - crushed; }  // m, opening at which the normal spring is relaxed
 };
 
 /// Where a point stands: opening and slip (m) and their rates (m/s), and the opening of the end of the face.
 struct BondMotion {
   double opening = 0.0, slip = 0.0, opening_rate = 0.0, slip_rate = 0.0;
-  double edge_opening = 0.0;  // m
+  double edge_opening = 0.0;  // m, less what crushing closed
 };
 
 struct BondForce {
@@ -80,21 +86,29 @@ inline double soundness(const BondStiffness& k, const BondHistory& h) {
 /// Widens and breaks a point that is not ductile.
 inline void open_bond(const BondStiffness& k, const BondMotion& m, BondHistory& h) {
   if (h.broken || k.ductile()) return;
-  h.widest = std::max(h.widest, m.opening + soundness(k, h) * (m.edge_opening - m.opening));
+  const double e = m.opening + h.crushed;
+  h.widest = std::max(h.widest, e + soundness(k, h) * (m.edge_opening - e));
   h.broken = h.widest * k.normal > k.tension && !(h.widest < k.last_opening);
+}
+
+/// Of a joined face that is closed: elastic to the strength, then it crushes.
+inline double bond_compression(const BondStiffness& k, double elastic, BondHistory& h) {
+  if (!(elastic < -k.crushing)) return elastic;
+  h.crushed += (-k.crushing - elastic) / k.normal;
+  return -k.crushing;
 }
 
 inline double bond_tension(const BondStiffness& k, const BondMotion& m, BondHistory& h) {
   open_bond(k, m, h);
-  const double e = m.opening - h.plastic, elastic = k.normal * e;
-  if (e <= 0.0) return h.joined ? elastic : 0.0;
+  const double e = m.opening - h.relaxed(), elastic = k.normal * e;
+  if (e <= 0.0) return h.joined ? bond_compression(k, elastic, h) : 0.0;
   if (h.broken) return 0.0;
   if (!k.ductile()) return softened_tension(k, e, h.widest);
   h.plastic += std::max(0.0, elastic - k.yield) / k.normal;
   return std::min(elastic, k.yield);
 }
 
-/// Whether the point has left the elastic range.
+/// Whether the point has left the elastic range in tension or shear.
 inline bool has_cracked(const BondStiffness& k, const BondHistory& h) {
   return h.broken || h.plastic != 0.0 || h.widest * k.normal > k.tension;
 }
@@ -114,16 +128,16 @@ inline BondForce bond_force(const BondStiffness& k, const BondMotion& m, const B
   const double wanted = k.tangential * (m.slip - h.anchor);
   if (std::abs(wanted) > limit && !h.broken && !k.ductile()) {
     h.broken = h.sheared = true;
-    f.normal = std::min(0.0, k.normal * (m.opening - h.plastic));
+    f.normal = std::min(0.0, k.normal * (m.opening - h.relaxed()));
     limit = shear_limit(k, f.normal, h);
   }
   f.tangential = std::clamp(wanted, -limit, limit);
   if (k.tangential > 0.0) h.anchor = m.slip - f.tangential / k.tangential;
 
-  const bool closed = m.opening < h.plastic;
+  const bool closed = m.opening < h.relaxed();
   if (h.broken && !closed) return f;
-  // A flowing bar has no viscosity, a softened face as much as it is sound; a broken one never pulls.
-  const bool flows = h.plastic != history.plastic;
+  // What flows has no viscosity, a softened face as much as it is sound; a broken one never pulls.
+  const bool flows = h.plastic != history.plastic || h.crushed != history.crushed;
   const double viscosity = !closed ? soundness(k, h) : h.joined ? 1.0 : 0.0;
   f.normal_dashpot = flows ? 0.0 : viscosity * k.normal_damping * m.opening_rate;
   if (h.broken) f.normal_dashpot = std::min(f.normal_dashpot, -f.normal);
@@ -135,7 +149,7 @@ inline BondForce bond_force(const BondStiffness& k, const BondMotion& m, const B
 /// Energy that the springs of a point can give back (J).
 inline double bond_energy(const BondStiffness& k, double opening, double slip, const BondHistory& h) {
   if (h.gone()) return 0.0;
-  const double e = opening - h.plastic;
+  const double e = opening - h.relaxed();
   const double closed = h.joined ? k.normal * e : 0.0;
   const double normal = e <= 0.0 ? closed : h.broken ? 0.0 : softened_tension(k, e, h.widest);
   const double s = slip - h.anchor;

@@ -72,6 +72,7 @@ void check(const Bond& bond) {
   require(bond.fracture_energy == 0.0 || bond.tensile_strength > 0.0, bond,
           "a fracture energy needs a tensile strength");
   require(bond.yield_strength > 0.0, bond, "yield strength must be positive");
+  require(bond.compressive_strength > 0.0, bond, "compressive strength must be positive");
   require(bond.damping_ratio >= 0.0, bond, "damping ratio must not be negative");
 }
 
@@ -87,6 +88,7 @@ BondStiffness law_of(const Bond& bond, const Model& model, double area, double p
   k.tension = bond.tensile_strength * area;
   k.cohesion = bond.cohesion * area;
   k.yield = bond.yield_strength * area;
+  k.crushing = bond.compressive_strength * area;
   k.friction = bond.friction_coefficient;
   k.last_opening = last_opening(bond);
   return k;
@@ -136,10 +138,11 @@ BondPose pose_of(std::span<const BondPoint> points, std::span<const BondHistory>
   for (const std::size_t k : {0u, 1u}) {
     pose.geometry[k] = bond_geometry(points[k], frames);
     pose.motion[k] = motion_of(points[k], pose.geometry[k], frames);
+    pose.motion[k].edge_opening += history[k].crushed;
   }
   if (history[0].broken || history[1].broken) return pose;
   constexpr double beyond = 0.5 * (std::numbers::sqrt3 - 1.0);
-  const double tilt = pose.geometry[1].opening - pose.geometry[0].opening;
+  const double tilt = pose.motion[1].edge_opening - pose.motion[0].edge_opening;
   pose.motion[0].edge_opening -= beyond * tilt;
   pose.motion[1].edge_opening += beyond * tilt;
   return pose;
@@ -228,7 +231,7 @@ std::vector<ReleasedPair> release_cracked(const Model& model, BondState& state,
     const BondPoint& point = model.bond_points[i];
     const auto pair = released.find(pair_of(point));
     if (pair == released.end() || !state.history[i].joined) continue;
-    const double closed = std::min(0.0, bond_geometry(point, frames).opening - state.history[i].plastic);
+    const double closed = std::min(0.0, bond_geometry(point, frames).opening - state.history[i].relaxed());
     pair->second += 0.5 * point.law.normal * closed * closed;
     state.history[i].joined = false;
     state.history[i].was_joined = true;

@@ -51,7 +51,7 @@ class Wall {
     building_ = on_ground(masonry().name, values_);
     for (std::size_t level = 1; level <= values_.count("levels"); ++level) add_level(level);
     if (values_.count("gable_courses") > 0) add_gable();
-    if (values_.is("joints", "mortar")) lay_in_mortar();
+    if (values_.is("joints", "mortar")) lay_in_mortar(building_, values_, values_("head_joint"));
     return std::move(building_);
   }
 
@@ -195,12 +195,6 @@ class Wall {
     }
     storey.level_blocks = storey.storey_blocks;
     building_.storeys.push_back(std::move(storey));
-  }
-
-  void lay_in_mortar() {
-    std::vector<std::size_t> all;
-    for (std::size_t i = 0; i < building_.scene.bodies.size(); ++i) all.push_back(i);
-    connect_touching(building_, all, mortar_of(values_), values_("head_joint") + 1e-6);
   }
 
   // --- what fits --------------------------------------------------------------------------------------

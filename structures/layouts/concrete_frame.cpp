@@ -60,6 +60,7 @@ class Frame {
     Connection c;
     c.law.yield_strength = 0.8 * factor * values_(reinforcement) * values_("steel_yield");
     c.law.cohesion = values_("shear_strength");
+    c.law.compressive_strength = endless_if_zero(values_("compressive_strength"));
     c.law.friction_coefficient = values_("friction");
     c.law.damping_ratio = values_("bond_damping_ratio");
     c.stiffness_factor = values_("cracked_stiffness");
@@ -250,6 +251,7 @@ std::vector<Parameter> frame_parameters() {
       {"beam_reinforcement", ratio, 0.015, 1e-5, 0.2, "all bars of a beam over its section"},
       {"steel_yield", pressure, 500e6, 1e3, 5e9, "yield strength of the bars"},
       {"shear_strength", pressure, 3e6, 0.0, 1e9, "of a member without axial force"},
+      {"compressive_strength", pressure, 0.0, 0.0, 1e10, "of the concrete; 0: endless"},
       {"cracked_stiffness", ratio, 0.5, 0.01, 1.0, "stiffness over that of the uncracked members"},
       {"bond_damping_ratio", ratio, 0.02, 0.0, 10.0, "local damping of the faces between blocks"},
       choice("weakness", {"none", "first-storey", "columns", "beams"},

@@ -13,7 +13,8 @@
 // Once it has yielded the face turns about its edge (docs/theory/bonds.md) with both its points at their
 // yield force f A/2, which gives f A d/2 without axial force; a section of depth d with half the bars at each
 // side, 0.8 d apart, gives 0.4 rho f_y A d. In shear a bond holds shear_strength, plus friction under
-// compression, and then flows. Bars do not rupture, concrete does not crush.
+// compression, and then flows. Bars do not rupture; concrete crushes
+// at compressive_strength, if that is given.
 #pragma once
 
 #include "structures/layouts/layout.h"

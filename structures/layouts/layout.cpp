@@ -35,7 +35,7 @@ void check_word(const Parameter& parameter, double value) {
                     print_number(value));
 }
 
-void check_value(const Parameter& parameter, double value) {
+void check_number(const Parameter& parameter, double value) {
   const auto print = [&](double v) { return print_value(v, parameter.dimension); };
   if (!parameter.choices.empty()) return check_word(parameter, value);
   const bool within = parameter.least <= value && value <= parameter.most;  // false for NaN
@@ -47,13 +47,24 @@ void check_value(const Parameter& parameter, double value) {
                     print(value));
 }
 
+void check_value(const Parameter& parameter, const ParameterValue& value) {
+  const bool wants_text = parameter.is_text(), has_text = !value.text.empty();
+  if (wants_text != has_text)
+    throw LayoutError(parameter.name, "a value that is " + kind_of(parameter),
+                      has_text     ? "\"" + value.text + "\""
+                      : wants_text ? "none"
+                                   : "an empty text");
+  if (!wants_text) check_number(parameter, value.number);
+}
+
 /// What a chosen material says takes the place of the layout's own defaults.
 void take_material(const Layout& layout, const ParameterMap& given, ParameterMap& values) {
   const Parameter* chosen = layout.parameter("material");
   const auto it = given.find("material");
-  if (!chosen || it == given.end() || it->second == 0.0) return;
+  if (!chosen || it == given.end() || it->second.number == 0.0) return;
   check_value(*chosen, it->second);
-  const auto* preset = engine::find_material_preset(chosen->choices[static_cast<std::size_t>(it->second)]);
+  const auto* preset =
+      engine::find_material_preset(chosen->choices[static_cast<std::size_t>(it->second.number)]);
   values["young_modulus"] = preset->material.young_modulus;
   values["density"] = preset->material.density;
   values["friction"] = preset->material.friction_coefficient;
@@ -63,7 +74,8 @@ void take_material(const Layout& layout, const ParameterMap& given, ParameterMap
 std::map<std::string, std::string> words_of(const Layout& layout, const ParameterMap& values) {
   std::map<std::string, std::string> words;
   for (const Parameter& parameter : layout.parameters)
-    if (!parameter.choices.empty()) words[parameter.name] = print_value(parameter, values.at(parameter.name));
+    if (parameter.is_text() || !parameter.choices.empty())
+      words[parameter.name] = print_value(parameter, values.at(parameter.name));
   return words;
 }
 
@@ -74,14 +86,26 @@ Parameter choice(std::string name, std::vector<std::string> words, std::string m
   return {std::move(name), Dimension::count, 0.0, 0.0, last, std::move(meaning), std::move(words)};
 }
 
+Parameter text(std::string name, std::string standard, std::string meaning) {
+  Parameter parameter{.name = std::move(name), .meaning = std::move(meaning)};
+  parameter.text = std::move(standard);
+  return parameter;
+}
+
+ParameterValue standard_of(const Parameter& parameter) {
+  return parameter.is_text() ? ParameterValue(parameter.text) : ParameterValue(parameter.standard);
+}
+
 std::string kind_of(const Parameter& parameter) {
+  if (parameter.is_text()) return "text";
   return parameter.choices.empty() ? std::string(name_of(parameter.dimension))
                                    : fmt::format("one of {}", fmt::join(parameter.choices, ", "));
 }
 
-std::string print_value(const Parameter& parameter, double value) {
-  return parameter.choices.empty() ? print_value(value, parameter.dimension)
-                                   : parameter.choices.at(static_cast<std::size_t>(value));
+std::string print_value(const Parameter& parameter, const ParameterValue& value) {
+  if (parameter.is_text()) return value.text;
+  return parameter.choices.empty() ? print_value(value.number, parameter.dimension)
+                                   : parameter.choices.at(static_cast<std::size_t>(value.number));
 }
 
 double value_of_word(const Parameter& parameter, const std::string& word) {
@@ -117,7 +141,7 @@ const Layout& find_layout(const std::string& name) {
 
 ParameterValues complete_parameters(const Layout& layout, const ParameterMap& given) {
   ParameterMap values;
-  for (const Parameter& parameter : layout.parameters) values[parameter.name] = parameter.standard;
+  for (const Parameter& parameter : layout.parameters) values[parameter.name] = standard_of(parameter);
   take_material(layout, given, values);
   for (const auto& [name, value] : given) {
     const Parameter* parameter = layout.parameter(name);
@@ -135,7 +159,7 @@ Building build_layout(const std::string& name, const ParameterMap& parameters) {
   Building building = fitted(layout.generate(values), values);
   building.layout = layout.name;
   for (const Parameter& parameter : layout.parameters)
-    building.parameters[parameter.name] = print_value(parameter, values(parameter.name));
+    building.parameters[parameter.name] = print_value(parameter, values.all().at(parameter.name));
   return building;
 }
 

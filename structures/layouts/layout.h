@@ -3,7 +3,8 @@
 // Every layout is one row of layouts(): its name, what it is, how it is counted into storeys, its
 // parameters (with dimension, default, range and meaning) and the function that places the blocks.
 // Values arrive in SI; the dimension says how they are printed and read at the border. A parameter with
-// choices takes one of their words; its value is the place of that word among them.
+// choices takes one of their words; its value is the place of that word among them. A parameter that is text,
+// as the pattern of a wall, has the text as its value, and the layout judges it.
 //
 // Every layout also has the parameters of the fittings (fittings.h): isolation and dampers, which are built
 // into whatever the generator made.
@@ -16,6 +17,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "structures/building.h"
@@ -30,26 +32,46 @@ struct Parameter {
   double least = 0.0;     // SI, allowed range, both ends included
   double most = 0.0;
   std::string meaning;                    // one line
-  std::vector<std::string> choices = {};  // words; empty: a number
+  std::vector<std::string> choices = {};  // words; empty: a number or text
+  std::string text = {};                  // the default of one that is text; empty: it is none
+  bool is_text() const { return !text.empty(); }
 };
+
+/// A number (SI, the place of a word) or text.
+struct ParameterValue {
+  double number = 0.0;
+  std::string text = {};
+
+  ParameterValue() = default;
+  template <class Number>
+  requires std::is_arithmetic_v<Number> ParameterValue(Number value) : number(static_cast<double>(value)) {}
+  ParameterValue(std::string value) : text(std::move(value)) {}
+  ParameterValue(const char* value) : text(value) {}
+  friend bool operator==(const ParameterValue&, const ParameterValue&) = default;
+};
+ParameterValue standard_of(const Parameter& parameter);
 
 /// A parameter that takes one of these words, the first unless told otherwise.
 Parameter choice(std::string name, std::vector<std::string> words, std::string meaning);
-/// "length", "one of running, stack, English".
+/// A parameter that is text, with its default.
+Parameter text(std::string name, std::string standard, std::string meaning);
+/// "length", "one of running, stack, English", "text".
 std::string kind_of(const Parameter& parameter);
-/// The word, or the number with its unit. For a choice the value must be the place of a word.
-std::string print_value(const Parameter& parameter, double value);
+/// The text, the word, or the number with its unit. For a choice the value must be the place of a word.
+std::string print_value(const Parameter& parameter, const ParameterValue& value);
 
-using ParameterMap = std::map<std::string, double>;  // SI
+using ParameterMap = std::map<std::string, ParameterValue>;
 
 /// A complete set of values: one for every parameter of the layout, each within its range.
 class ParameterValues {
  public:
   ParameterValues(ParameterMap values, std::map<std::string, std::string> words)
       : values_(std::move(values)), words_(std::move(words)) {}
-  double operator()(const std::string& name) const { return values_.at(name); }
-  std::size_t count(const std::string& name) const { return static_cast<std::size_t>(values_.at(name)); }
-  /// Of a choice.
+  double operator()(const std::string& name) const { return values_.at(name).number; }
+  std::size_t count(const std::string& name) const {
+    return static_cast<std::size_t>(values_.at(name).number);
+  }
+  /// Of a choice, or a text.
   const std::string& word(const std::string& name) const { return words_.at(name); }
   bool is(const std::string& name, std::string_view word) const { return words_.at(name) == word; }
   const ParameterMap& all() const { return values_; }

@@ -14,6 +14,8 @@ namespace dougong::structures {
 std::vector<Parameter> mortar_parameters();
 /// Friction is that of the units.
 Connection mortar_of(const ParameterValues& values);
+/// Bonds all blocks that lie on or next to each other, over head joints as wide as that (m).
+void lay_in_mortar(Building& building, const ParameterValues& values, double head_joint);
 /// Throws LayoutError for joints thicker than the unit they lie between, joint included (m).
 void require_mortar(const ParameterValues& values, double unit);
 

@@ -144,6 +144,10 @@ std::vector<std::size_t> add_bar(Building& building, const Stock& stock, const s
 
 // --- what holds blocks together ----------------------------------------------------------------------
 
+double endless_if_zero(double strength) {
+  return strength > 0.0 ? strength : std::numeric_limits<double>::infinity();
+}
+
 engine::Owner block(std::size_t index) {
   return {false, index};
 }

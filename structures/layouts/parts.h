@@ -74,6 +74,9 @@ struct Connection {
   double joint_modulus = 1.0;      // Pa
 };
 
+/// A strength (Pa) that a layout takes 0 for where there is none.
+double endless_if_zero(double strength);
+
 engine::Owner block(std::size_t index);
 /// The first terrain.
 engine::Owner ground();

@@ -3,6 +3,9 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <span>
+
 #include "tests/engine/reference.h"
 #include "tests/oracles/statics.h"
 #include "tests/scenes/running.h"
@@ -95,6 +98,43 @@ TEST(CollapseMultiplier, CallsAFallThatCannotEndUndecided) {
   EXPECT_EQ(found.end, TrialResult::undecided);
 }
 
+// The lower end has been watched to the end, the others below it shortly, and what falls as ever.
+TEST(CollapseMultiplier, WatchesToTheEndWhatStandsAtItsLowerEnd) {
+  const engine::Scene stack = scenes::column(3, 0.4, 0.5, 2.0, 1e9);
+  TiltOptions options = within(0.01);
+  const auto found = find_collapse_multiplier(stack, options);
+  const Trial& last = found.trials.back();
+  EXPECT_EQ(last.result, TrialResult::stands);
+  EXPECT_EQ(last.multiplier, found.stands);
+  EXPECT_NEAR(last.watched, 1.0, 1e-9);
+  for (const Trial& trial : std::span(found.trials).first(found.trials.size() - 1))
+    EXPECT_NEAR(trial.watched, 0.1, trial.result == TrialResult::stands ? 1e-9 : 0.1) << trial.multiplier;
+  options.preliminary_hold = 1.0;
+  const auto slowly = find_collapse_multiplier(stack, options);
+  EXPECT_EQ(slowly.stands, found.stands);
+  EXPECT_EQ(slowly.falls, found.falls);
+  EXPECT_EQ(slowly.trials.size() + 1, found.trials.size()) << "none of them is watched on";
+}
+
+// With a loose idea of rest a block that begins to slide is taken to stand, and found out by the whole watch.
+TEST(CollapseMultiplier, GoesOnFromTheTrialBelowWhenTheWatchEndsInAFall) {
+  TiltOptions options = within(0.02);
+  options.trial.unbalanced_ratio = 0.05;
+  options.trial.hold_time = 2.0;
+  const engine::Scene block = scenes::block_on_ground(0.5, 0.5, 0.3, 1e8);
+  const auto found = find_collapse_multiplier(block, options);
+  const auto late = std::ranges::count_if(found.trials, [](const Trial& trial) {
+    return trial.result == TrialResult::falls && trial.watched > 0.2;
+  });
+  EXPECT_GT(late, 0) << "else this test says nothing";
+  options.preliminary_hold = 1.0;
+  const auto slowly = find_collapse_multiplier(block, options);
+  EXPECT_NEAR(found.stands, slowly.stands, 0.02 * slowly.falls);
+  EXPECT_NEAR(found.falls, slowly.falls, 0.02 * slowly.falls);
+  EXPECT_EQ(found.trials.back().result, TrialResult::stands);
+  EXPECT_EQ(found.trials.back().multiplier, found.stands);
+}
+
 std::string refusal(const engine::Scene& scene, const TiltOptions& options = {}) {
   try {
     find_collapse_multiplier(scene, options);
@@ -112,6 +152,8 @@ TEST(CollapseMultiplier, RefusesWhatCannotBeTilted) {
   empty.bodies.clear();
   EXPECT_THAT(refusal(empty), HasSubstr("expected a scene with blocks, found none"));
   TiltOptions options;
+  options.preliminary_hold = 0.0;
+  EXPECT_THAT(refusal(scenes::block_on_ground(0.5, 0.5, 0.5), options), HasSubstr("preliminary hold"));
   options.precision = 0.0;
   EXPECT_THAT(refusal(scenes::block_on_ground(0.5, 0.5, 0.5), options), HasSubstr("precision"));
 }

@@ -24,11 +24,12 @@ std::vector<std::string> facts_of_document() {
 }
 
 std::string range_of(const Parameter& p) {
+  if (p.is_text()) return "";
   return p.choices.empty() ? fmt::format("{} to {}", print_value(p, p.least), print_value(p, p.most)) : "";
 }
 
 std::string row_of(const Parameter& p) {
-  return fmt::format("| `{}` | {} | {} | {} | {} |", p.name, kind_of(p), print_value(p, p.standard),
+  return fmt::format("| `{}` | {} | {} | {} | {} |", p.name, kind_of(p), print_value(p, standard_of(p)),
                      range_of(p), p.meaning);
 }
 

@@ -328,7 +328,7 @@ RunResult repeated() {
       {{"FEMA 356", "Table C1-3", "concrete frames", "2", "LS", "peak drift", 0.02, 0.03, true},
        {"FEMA 356", "Table C1-3", "concrete frames", "2", "CP", "peak drift", 0.04, 0.03, false}}};
   run.model.bonds = 3;
-  run.model.bonded = {{"base", 0, {-0.25, -1.3}, {0.25, -1.3}, 9.5, 9.7, "tension"},
+  run.model.bonded = {{"base", 0, {-0.25, -1.3}, {0.25, -1.3}, 9.5, 9.7, "tension", 9.6},
                       {"head", 2, {-2.5, -0.2}, {-2.0, -0.2}, 9.1, DrawnBond::never, "shear"},
                       {"sound", 5, {0.0, 0.0}, {1.0, 0.0}}};
   run.energy.fracture.assign(run.trajectory.times.size(), 12.0);

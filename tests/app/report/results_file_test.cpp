@@ -53,6 +53,11 @@ class Bytes {
   void column(const std::string& name, const char*, const std::vector<Row>& rows, T Row::*member) {
     for (const Row& row : rows) field(name, "", row.*member);
   }
+  template <class Row, class T>
+  void optional_column(const std::string& name, const char* unit, const std::vector<Row>& rows,
+                       T Row::*member) {
+    column(name, unit, rows, member);
+  }
   template <class T>
   void field(const std::string& name, const char*, const std::vector<T>& values) {
     out += std::to_string(values.size()) + ":";

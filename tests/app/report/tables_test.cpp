@@ -93,8 +93,9 @@ double number(const std::string& text) {
 
 TEST(DamageCsv, HasEveryBondWithItsStoreyAndTimes) {
   EXPECT_EQ(damage_csv(fixtures::repeated()),
-            "bond,storey,mode,cracked (s),broken (s)\nbase,S1,tension,9.5,9.7\nhead,S1,shear,9.1,\n"
-            "sound,S2,,,\n");
+            "bond,storey,mode,cracked (s),crushed (s),broken "
+            "(s)\nbase,S1,tension,9.5,9.6,9.7\nhead,S1,shear,9.1,,\n"
+            "sound,S2,,,,\n");
 }
 
 TEST(CollapseCsv, HasBondsSupportsAndStoreysInOrder) {
@@ -102,8 +103,8 @@ TEST(CollapseCsv, HasBondsSupportsAndStoreysInOrder) {
   const auto rows = cells(collapse_sequence_csv(run));
   std::vector<std::string> order;
   for (std::size_t i = 1; i < rows.size(); ++i) order.push_back(rows[i][1] + " " + rows[i][2]);
-  EXPECT_THAT(order, testing::ElementsAre("bond cracked head", "bond cracked base", "bond broke base",
-                                          "support lost S1.column.left", "storey lost S1",
+  EXPECT_THAT(order, testing::ElementsAre("bond cracked head", "bond cracked base", "bond crushed base",
+                                          "bond broke base", "support lost S1.column.left", "storey lost S1",
                                           "support lost S1.slab", "storey lost S2"));
   EXPECT_EQ(
       falls_csv(run),

@@ -170,6 +170,17 @@ TEST(ScenarioErrors, ListTheParametersWhenNoneIsNear) {
               ElementsAre(HasSubstr("unknown key \"layout.basement\"; layout column has drums, width")));
 }
 
+TEST(ScenarioLayouts, TakeTextAndWriteItBack) {
+  const Scenario s = read("[layout]\nname = \"pattern-wall\"\npattern = \"11, h1h\"\n");
+  EXPECT_EQ(s.layout.parameters.at("pattern"), "11, h1h");
+  EXPECT_EQ(read(to_toml(s)).layout, s.layout);
+  EXPECT_THAT(errors("[layout]\nname = \"pattern-wall\"\npattern = 11\n"),
+              ElementsAre(HasSubstr("study.toml:3:11: layout.pattern: expected text, in quotes")));
+  EXPECT_THAT(
+      errors("[layout]\nname = \"pattern-wall\"\npattern = \"11, 1\"\n"),
+      ElementsAre(AllOf(StartsWith("study.toml:3:11: pattern: "), HasSubstr("found 1 blocks in course 2"))));
+}
+
 TEST(ScenarioErrors, RefuseABareNumberWhereAUnitIsNeeded) {
   EXPECT_THAT(errors("[record]\npga = 0.4\n"),
               ElementsAre(AllOf(StartsWith("study.toml:2:7: record.pga: "), HasSubstr("bare number 0.4"),

@@ -181,6 +181,7 @@ start = ["9 m", "9 m"]
 end = ["10 m", "9 m"]
 tensile_strength = "2 MPa"
 cohesion = "1.3 MPa"
+compressive_strength = "7 MPa"
 fracture_energy = "80 J/m2"
 normal_stiffness = "20 GPa/m"
 
@@ -225,7 +226,8 @@ class Bits {
     }
     for (const auto& b : scene.bonds) {
       add(b.name), add(b.a), add(b.b), add(b.start), add(b.end), add(b.normal_stiffness);
-      add({b.tensile_strength, b.cohesion, b.friction_coefficient, b.fracture_energy, b.yield_strength});
+      add({b.tensile_strength, b.cohesion, b.friction_coefficient, b.fracture_energy, b.yield_strength,
+           b.compressive_strength});
     }
     const engine::Fields& f = scene.fields;
     add({f.gravitational_constant, f.coulomb_constant, f.softening, f.opening_angle});

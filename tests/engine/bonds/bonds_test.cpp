@@ -453,6 +453,115 @@ TEST(Bonds, KeepMomentumAndEnergy) {
   EXPECT_NEAR(r.energies().fracture, 0.0, 1e-3 * start.kinetic);
 }
 
+// A block of 2.4 t that comes down at 0.5 m/s on a joint without weight: its 300 J, less what the joint
+// stores at its strength, are the work of f_c A over the closing that stays.
+TEST(Bond, IsCrushedAtItsStrengthTimesItsArea) {
+  Scene s = hanging(1e9, 0.0);
+  s.bonds[0].damping_ratio = 0.0;
+  s.bonds[0].compressive_strength = 1e5;
+  s.bodies[0].velocity.y = -0.5;
+  Running r(s);
+  DriveOptions options = run_for(0.02);
+  options.step_fraction = 0.05;
+  const double start = r.energies().balance();
+  r.run(options);
+  const double stiffness = 1e9 / 0.5, force = 1e5, stored = 0.5 * force * force / stiffness;
+  const double closing = (300.0 - stored) / force;
+  for (const BondHistory& point : r.state.bonds.history) EXPECT_NEAR(point.crushed, closing, 1e-3 * closing);
+  EXPECT_NEAR(r.energies().fracture, force * closing, 2e-3 * force * closing);
+  EXPECT_NEAR(r.energies().balance(), start, 1e-3 * start);
+  EXPECT_EQ(r.state.bonds.broken, 0u);
+}
+
+// Under weight alone it stands below its strength; above it falls with what the strength leaves of gravity.
+TEST(Bond, BearsTheWeightOfItsStrengthAndNoMore) {
+  const double stress = 2400.0 * 9.81, time = 0.2;
+  Scene strong = hanging(1e9, -9.81), weak = strong;
+  strong.bonds[0].compressive_strength = stress / 0.98;
+  weak.bonds[0].compressive_strength = stress / 1.25;
+  Running stands(strong), sinks(weak);
+  EXPECT_TRUE(settle(stands.model, stands.state).settled);
+  stands.run(run_for(time)), sinks.run(run_for(time));
+  for (const BondHistory& point : stands.state.bonds.history) EXPECT_EQ(point.crushed, 0.0);
+  EXPECT_LT(0.5 - stands.position().y, 2e-5);
+  const double fallen = 0.5 * (1.0 - 1.0 / 1.25) * 9.81 * time * time;
+  EXPECT_NEAR(0.5 - sinks.position().y, fallen, 0.05 * fallen);
+}
+
+// Weight of 1.5 F_c, F_c = f_c A/2, on two points at +-L/(2 sqrt 3): one bears F_c, the other 0.5 F_c, and
+// their moment is (2 F_c - N) L/(2 sqrt 3), that of a = 0.0321 g at the centroid 3 m up.
+TEST(Bond, ThatIsPressedBendsToTheMomentOfItsBlocksOfStress) {
+  const double weight = 2400.0 * 6.0 * 9.81, strength = weight / 0.75, point = 0.5 * strength;
+  const double limit = (2.0 * point - weight) / (2.0 * std::sqrt(3.0)) / (3.0 * 2400.0 * 6.0);
+  const auto falls = [&](double acceleration) {
+    Scene s = scenes::scene(0.8, 1e10);
+    s.bodies.push_back(scenes::block(0.5, 3.0, {0.0, 3.0}));
+    s.terrains.push_back(scenes::ground());
+    Bond b = bed_joint(0.5);
+    b.compressive_strength = strength;
+    s.bonds.push_back(b);
+    Running r(s);
+    EXPECT_TRUE(settle(r.model, r.state).settled);
+    for (int k = 1; k <= 20; ++k) {
+      r.model.gravity.x = acceleration * k / 20.0;
+      r.run(run_for(0.05));
+    }
+    EXPECT_EQ(r.run(run_for(4.0)).outcome, Outcome::completed);
+    return std::abs(r.angle()) > 0.05;
+  };
+  EXPECT_FALSE(falls(0.96 * limit));
+  EXPECT_TRUE(falls(1.04 * limit));
+}
+
+// A column of five blocks shaken until its lowest joints crush: what the ledger books is what is missing.
+TEST(Bonds, ThatCrushUnderShakingKeepTheLedger) {
+  Scene s = scenes::scene(0.6, 1e9);
+  for (int i = 0; i < 5; ++i) s.bodies.push_back(scenes::block(0.25, 0.5, {0.0, 0.5 + i}));
+  s.terrains.push_back(scenes::ground(
+      200.0, {}, 0.0,
+      scenes::horizontal_motion([](double t) { return 4.0 * std::sin(6.28 * t); },
+                                [](double t) { return 4.0 / 6.28 * (1.0 - std::cos(6.28 * t)); },
+                                [](double t) { return 4.0 / 6.28 * (t - std::sin(6.28 * t) / 6.28); })));
+  for (std::size_t i = 0; i < 5; ++i) {
+    Bond b;
+    b.name = "joint " + std::to_string(i);
+    b.a = i == 0 ? Owner{true, 0} : Owner{false, i - 1};
+    b.b = {false, i};
+    b.start = {-0.25, static_cast<double>(i)}, b.end = {0.25, static_cast<double>(i)};
+    b.compressive_strength = 5e5;
+    b.damping_ratio = 0.05;
+    s.bonds.push_back(b);
+  }
+  Running r(s);
+  ASSERT_TRUE(settle(r.model, r.state).settled);
+  const double start = r.energies().balance();
+  const RunOutcome end = r.run(run_for(2.0));
+  ASSERT_EQ(end.outcome, Outcome::completed) << end.detail;
+  double crushed = 0.0, work = 0.0;
+  for (std::size_t i = 0; i < r.state.bonds.history.size(); ++i) {
+    crushed += r.state.bonds.history[i].crushed;
+    work += r.state.bonds.history[i].crushed * r.model.bond_points[i].law.crushing;
+  }
+  EXPECT_GT(crushed, 1e-6);
+  const Energies e = r.energies();
+  EXPECT_NEAR(e.fracture, work, 0.02 * work);
+  EXPECT_NEAR(e.balance(), start, 0.02 * e.input);
+}
+
+// A strength that is never reached gives what none gives, bit for bit.
+TEST(Bond, ThatIsNotCrushedDoesNotKnowItsStrength) {
+  const auto end_of = [](double strength) {
+    Scene s = hanging(2e4, 60.0, 50.0);
+    s.bodies[0].velocity = {0.1, -0.3};
+    s.bodies[0].spin = 0.2;
+    s.bonds[0].compressive_strength = strength;
+    Running r(s);
+    r.run(run_for(0.5));
+    return std::vector<double>(r.state.y.begin(), r.state.y.end());
+  };
+  EXPECT_EQ(end_of(1e12), end_of(std::numeric_limits<double>::infinity()));
+}
+
 TEST(Bonds, RefuseWhatMakesNoSense) {
   const auto refused = [](auto change) {
     Scene s = hanging(1e5, 9.81);
@@ -464,6 +573,7 @@ TEST(Bonds, RefuseWhatMakesNoSense) {
   EXPECT_THAT(refused([](Bond& b) { b.end = b.start; }), HasSubstr("no length"));
   EXPECT_THAT(refused([](Bond& b) { b.normal_stiffness = 0.0; }), HasSubstr("normal stiffness"));
   EXPECT_THAT(refused([](Bond& b) { b.tensile_strength = -1.0; }), HasSubstr("tensile strength"));
+  EXPECT_THAT(refused([](Bond& b) { b.compressive_strength = 0.0; }), HasSubstr("compressive strength"));
   EXPECT_THAT(refused([](Bond& b) { b.tensile_strength = 0.0, b.fracture_energy = 1.0; }),
               HasSubstr("fracture"));
 }
