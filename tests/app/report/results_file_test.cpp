@@ -53,6 +53,11 @@ class Bytes {
   void column(const std::string& name, const char*, const std::vector<Row>& rows, T Row::*member) {
     for (const Row& row : rows) field(name, "", row.*member);
   }
+  template <class Row, class Member, class T>
+  void column(const std::string& name, const char* unit, const std::vector<Row>& rows, Member Row::*member,
+              T Member::*part) {
+    for (const Row& row : rows) field(name, unit, row.*member.*part);
+  }
   template <class Row, class T>
   void optional_column(const std::string& name, const char* unit, const std::vector<Row>& rows,
                        T Row::*member) {

@@ -1,6 +1,8 @@
 // M02: the 81-brick graphite array on a shaking table.
 //
-//     comparisons M02 FOLDER [sweep rate in Hz/s] [restitution of a point] [step as a part of the bound]
+//     comparisons M02 FOLDER [sweep rate in Hz/s] [restitution of a brick's point] [step as a part of the
+//     bound]
+//                            [restitution of a key's point] [friction]
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -52,6 +54,8 @@ Comparison brick_array(const Arguments& arguments) {
   options.key_stiffness = 0.01;
   if (arguments.size() > 1) options.restitution = std::stod(arguments[1]);
   const double step_fraction = arguments.size() > 2 ? std::stod(arguments[2]) : 0.5;
+  if (arguments.size() > 3) options.key_restitution = std::stod(arguments[3]);
+  if (arguments.size() > 4) options.friction = std::stod(arguments[4]);
   std::vector<std::string> names;
   for (const MeasuredBrick& brick : bricks) names.emplace_back(brick.name);
   const auto v = scenes::measured_velocities(scenes::brick_array(motion, options), *motion, names,
