@@ -1,6 +1,7 @@
 // C01: the collapse multipliers of four dry running-bond walls.
 #include <fmt/format.h>
 
+#include "structures/load_pattern.h"
 #include "structures/pushover.h"
 #include "tests/bench/comparisons/comparison.h"
 #include "tests/bench/comparisons/drawing.h"
