@@ -309,7 +309,7 @@ void ContactSet::put_blocks_to_sleep(std::span<const Frame> frames) {
 }
 
 void ContactSet::measure_motions(std::span<const Frame> frames, Crew& crew) {
-  constexpr std::size_t share = 64;  // of eight pairs
+  constexpr std::size_t share = 256;  // of eight pairs
   seen_.resize(watches_.size());
   crew.share_range(watches_.size(), share, [&](std::size_t first, std::size_t last) {
     best_kernels().measure_motions(watches_.data() + first, last - first, frames.data());

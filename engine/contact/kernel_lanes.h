@@ -1,6 +1,7 @@
 // The kernel of the corner-edge forces for R doubles at once (kernels.h).
 #pragma once
 
+#include "engine/fetch_ahead.h"
 #include "engine/kernels.h"
 #include "engine/pose_lanes.h"
 
@@ -194,20 +195,11 @@ DOUGONG_INLINE void evaluate_few(const CornerEdgeCall& call, ContactTotals& tota
   add_lanes(lanes, 0, totals);
 }
 
-// Blocks that do not fit the caches come from memory, and one takes less time than fetching it: so it is
-// asked for some blocks ahead.
-constexpr std::size_t fetched_ahead = 4, blocks_in_cache = 16384;
-
-DOUGONG_INLINE void fetch(const PointBlock& b) {
-  const char* const lines = reinterpret_cast<const char*>(&b);
-  for (std::size_t k = 0; k < sizeof(PointBlock); k += 64) __builtin_prefetch(lines + k, 1);
-}
-
 template <class R, bool commit>
 DOUGONG_INLINE void evaluate_blocks(const CornerEdgeCall& call, ContactTotals& totals) {
   constexpr int parts = static_cast<int>(PointBlock::size) / lanes_of<R>;
   LaneTotals<R> lanes[parts];
-  const bool far = call.points > PointBlock::size * blocks_in_cache;
+  const bool far = outgrow_the_caches<PointBlock>(call.points / PointBlock::size);
   for (std::size_t i = call.first; i < call.last; ++i) {
     if (far && i + fetched_ahead < call.last) fetch(call.blocks[i + fetched_ahead]);
     PairLoad* const to = call.loads + PointBlock::pairs * i;

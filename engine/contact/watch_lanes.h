@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/contact/pair_watch.h"
+#include "engine/fetch_ahead.h"
 #include "engine/pose_lanes.h"
 
 namespace dougong::engine {
@@ -32,9 +33,11 @@ template <class R>
 template <class R>
 [[gnu::always_inline]] inline void measure_motions(PairWatch* watches, std::size_t count,
                                                    const Frame* frames) {
-  for (std::size_t i = 0; i < count; ++i)
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i + fetched_ahead < count) fetch(watches[i + fetched_ahead]);
     for (int from = 0; from < static_cast<int>(PairWatch::size); from += lanes_of<R>)
       measure_motion<R>(watches[i], from, frames);
+  }
 }
 
 }  // namespace
