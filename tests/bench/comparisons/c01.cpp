@@ -74,7 +74,7 @@ Comparison dry_walls() {
   app::Figure& figure = comparison.figure;
   figure.height = 330;
   figure.script =
-      look + "set size ratio -1\nunset key\nset xtics 0.4\nset ytics 0.7\nset multiplot layout 1,4\n";
+      look + "set size ratio -1\nunset key\nset xtics 0.8\nset ytics 0.7\nset multiplot layout 1,4\n";
   for (const Row& row : rows) {
     const auto found = tilt(row.number, row.young_modulus);
     comparison.table += table_row(row, found);
