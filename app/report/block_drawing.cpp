@@ -157,9 +157,9 @@ std::string colour_scale(const BlockDrawing& drawing, const Sheet& sheet) {
         x, low + (high - low) * i / steps, x + wide, low + (high - low) * (i + 1.05) / steps,
         to_hex(viridis((i + 0.5) / steps)));
   for (const double share : {0.0, 0.5, 1.0})
-    out +=
-        fmt::format("set label '{:g}' at screen {:.5f},{:.5f} left tc rgb '{}'\n", share * drawing.scale_end,
-                    x + wide + 0.006, low + (high - low) * share, to_hex(ink::text));
+    out += fmt::format("set label '{:g}' at screen {:.5f},{:.5f} left tc rgb '{}'\n",
+                       drawing.scale_start + share * (drawing.scale_end - drawing.scale_start),
+                       x + wide + 0.006, low + (high - low) * share, to_hex(ink::text));
   return out + fmt::format("set label {} at screen {:.5f},{:.5f} left tc rgb '{}'\n",
                            gnuplot_text(drawing.scale_title), x, 1.0 - (top + 14.0) / sheet.height,
                            to_hex(ink::text));

@@ -38,7 +38,8 @@ struct BlockDrawing {
   std::vector<DrawingMark> marks;
   std::vector<DrawingLine> lines;
   std::string scale_title = {};  // of a colour scale on the right; empty: none
-  double scale_end = 1.0;        // its greatest value, that of viridis(1)
+  double scale_start = 0.0;      // its least value, that of viridis(0)
+  double scale_end = 1.0;        // its greatest, that of viridis(1)
 };
 
 Figure block_figure(const ModelSheet& model, const BlockDrawing& drawing);

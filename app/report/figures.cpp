@@ -1,5 +1,6 @@
 #include "app/report/figures.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "app/report/moved_joints_report.h"
@@ -50,6 +51,9 @@ void add_response(const RunResult& run, std::vector<NamedFigure>& out) {
   if (run.response.storeys.empty()) return;
   out.push_back(
       {"drift_profile", "Peak drift of each storey. " + drift_words(run), drift_profile_figure(run)});
+  out.push_back({"floor_profiles",
+                 "Peak, residual and shear drift and peak acceleration over the height of the building.",
+                 floor_profiles_figure(run)});
   if (run.response.times.empty()) return;
   out.push_back({"drift_histories", "Interstorey drift against time, one panel a storey. " + drift_words(run),
                  drift_histories_figure(run)});
@@ -98,11 +102,19 @@ std::vector<NamedFigure> all_figures(const RunResult& run) {
   if (!run.weight_joints.empty())
     out.push_back({"weight", "The building at rest; every joint coloured by how much of its limit it uses.",
                    weight_figure(run.model, run.weight_joints)});
+  if (!run.weight_joints.empty())
+    out.push_back({"load_path",
+                   "The building at rest; every joint coloured by the force that it presses with.",
+                   load_path_figure(run.model, run.weight_joints)});
   add_motion(run, out);
   add_response(run, out);
   if (!run.response.roof_displacement.empty()) {
     out.push_back({"roof_and_base_shear", shear_words(run), roof_and_base_shear_figure(run)});
   }
+  if (std::ranges::any_of(run.model.bonded, [](const DrawnBond& b) { return !b.mode.empty(); }))
+    out.push_back({"damage",
+                   "The building at rest; every damaged bond coloured by when it left its elastic range.",
+                   damage_figure(run)});
   if (!run.moved_joints.empty())
     out.push_back({"joints", "The building at rest; every joint coloured by how far it opened or slid.",
                    moved_joints_figure(run.model, run.moved_joints)});

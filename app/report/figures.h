@@ -15,6 +15,10 @@ Figure motion_figure(const RunResult& run);
 Figure spectrum_figure(const RunResult& run);
 /// Height up, drift across, both signs, true storey heights, lost storeys marked.
 Figure drift_profile_figure(const RunResult& run);
+/// Peak drift with the limits of standards, residual and shear drift, peak acceleration over the height.
+Figure floor_profiles_figure(const RunResult& run);
+/// Every bonded face by the time at which it left its elastic range. Needs one that did.
+Figure damage_figure(const RunResult& run);
 Figure drift_histories_figure(const RunResult& run);
 Figure roof_and_base_shear_figure(const RunResult& run);
 /// Of each storey over time. Needs a lost block.

@@ -22,7 +22,7 @@ std::string report_page(const RunResult& run, const std::vector<Picture>& pictur
                                     {"response", "The response", page_response(run, pictures)},
                                     {"screening", "Against the limits of standards", page_screening(run)},
                                     {"joints", "The joints", page_moved_joints(run, pictures)},
-                                    {"damage", "Damage of the bonds", page_damage(run)},
+                                    {"damage", "Damage of the bonds", page_damage(run, pictures)},
                                     {"fall", "How it fell", page_collapse(run, pictures)},
                                     {"spread", "How sure", page_spread(run, pictures)},
                                     {"energy", "Energy balance", page_energy(run, pictures)},

@@ -20,7 +20,7 @@ Html page_motion(const RunResult& run, const std::vector<Picture>& pictures);
 Html page_response(const RunResult& run, const std::vector<Picture>& pictures);
 /// Limits of standards: screening.
 Html page_screening(const RunResult& run);
-Html page_damage(const RunResult& run);
+Html page_damage(const RunResult& run, const std::vector<Picture>& pictures);
 Html page_collapse(const RunResult& run, const std::vector<Picture>& pictures);
 Html page_spread(const RunResult& run, const std::vector<Picture>& pictures);
 Html page_energy(const RunResult& run, const std::vector<Picture>& pictures);

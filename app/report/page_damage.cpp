@@ -80,7 +80,7 @@ Html first_cracks(const RunResult& run, const std::vector<const DrawnBond*>& cra
 
 }  // namespace
 
-Html page_damage(const RunResult& run) {
+Html page_damage(const RunResult& run, const std::vector<Picture>& pictures) {
   if (run.model.bonded.empty()) return paragraph("Nothing is bonded in this building.");
   const auto cracked = in_order_of_cracking(run);
   if (cracked.empty())
@@ -88,6 +88,9 @@ Html page_damage(const RunResult& run) {
                      " cracked, yielded or was crushed.");
   return paragraph(std::to_string(cracked.size()) + " of " + plural(run.model.bonded.size(), "bond") +
                    " cracked, yielded or were crushed. All are in damage.csv.") +
+         figure_named(pictures, "figures/damage.svg",
+                      "When each bond left its elastic range; pale: it did not.",
+                      {"figures/damage.svg", "figures/damage.png", "damage.csv"}) +
          storeys_table(run) + first_cracks(run, cracked);
 }
 

@@ -251,8 +251,11 @@ Html page_motion(const RunResult& run, const std::vector<Picture>& pictures) {
   Html out = plot(pictures, "motion",
                   "What the terrain did: absolute ground motion. Dots: peaks of both signs.", "motion.csv");
   out += named_values("Measures of the motion as applied", "Measure", run.motion.measures);
-  out += plot(pictures, "spectrum",
-              "Pseudo-acceleration of a 5 % damped oscillator; dashed: the building's period.", "");
+  out += plot(
+      pictures, "spectrum",
+      "Pseudo-acceleration (left) and displacement (right, thin) of a 5 % damped oscillator; dashed: the "
+      "building's period.",
+      "");
   out += named_values("Where the record comes from", "Item", run.motion.provenance) +
          heading3("Processing, in order");
   return out + (run.motion.processing.empty() ? paragraph("None: the motion was applied as found.")
@@ -262,6 +265,9 @@ Html page_motion(const RunResult& run, const std::vector<Picture>& pictures) {
 Html page_response(const RunResult& run, const std::vector<Picture>& pictures) {
   Html out = run.response.storeys.empty() ? paragraph("The building has no storeys, so no drift is measured.")
                                           : drift_table(run) + base_words(run) + acceleration_table(run);
+  out += plot(
+      pictures, "floor_profiles",
+      "Dashed verticals: the drift limits nearest to what was found (screening, not code compliance).", "");
   out += building_table(run) + heading3("Blocks lost") + loss_table(run);
   out += plot(pictures, "drift_histories",
               "Each storey on its own axis, all on one time axis. A lost storey's drift is frozen at its "

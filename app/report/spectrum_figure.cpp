@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "app/report/colour.h"
 #include "app/report/figures.h"
@@ -14,7 +15,12 @@
 namespace dougong::app {
 namespace {
 
-constexpr int width = 620, height = 440, left = 84, right = 30, top = 66, bottom = 56;  // px
+constexpr int width = 660, height = 440, left = 84, right = 84, top = 66, bottom = 56;  // px
+
+double displacement_of(const MotionSheet& m, std::size_t i) {
+  const double w = 2.0 * std::numbers::pi / m.spectrum_periods[i];
+  return 1e3 * m.spectrum_psa[i] / (w * w);  // mm
+}
 
 std::string curve_data(const MotionSheet& m) {
   std::string out;
@@ -24,6 +30,21 @@ std::string curve_data(const MotionSheet& m) {
         fmt::format("{:.6g} {:.6g}\n", m.spectrum_periods[i], m.spectrum_psa[i] / engine::standard_gravity);
   }
   return out;
+}
+
+/// Sd = PSa (T / 2 pi)^2, mm.
+std::string displacement_data(const MotionSheet& m) {
+  std::string out;
+  for (std::size_t i = 0; i < std::min(m.spectrum_periods.size(), m.spectrum_psa.size()); ++i)
+    if (m.spectrum_periods[i] > 0 && m.spectrum_psa[i] > 0)
+      out += fmt::format("{:.6g} {:.6g}\n", m.spectrum_periods[i], displacement_of(m, i));
+  return out;
+}
+
+Range displacement_range(const MotionSheet& m) {
+  std::vector<double> values;
+  for (std::size_t i = 0; i < m.spectrum_psa.size(); ++i) values.push_back(displacement_of(m, i));
+  return log_range(values);
 }
 
 Range period_range(const MotionSheet& m) {
@@ -65,18 +86,31 @@ std::string period_mark(const RunResult& run, Range x, Range y) {
 
 Figure spectrum_figure(const RunResult& run) {
   const Range x = period_range(run.motion), y = psa_range(run.motion);
-  Figure figure{width, height, "", {{"spectrum.txt", curve_data(run.motion)}}};
+  Figure figure{
+      width,
+      height,
+      "",
+      {{"spectrum.txt", curve_data(run.motion)}, {"displacement.txt", displacement_data(run.motion)}}};
+  const Range d = displacement_range(run.motion);
   figure.script =
-      plain_style() + "set logscale xy\n" +
+      plain_style() + "set logscale xyy2\n" +
       fmt::format("set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\n", left / double(width),
                   1.0 - right / double(width)) +
       fmt::format("set tmargin at screen {:.5f}\nset bmargin at screen {:.5f}\n", 1.0 - top / double(height),
                   bottom / double(height)) +
       fmt::format("set xrange [{:.6g}:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\n", x.low, x.high, y.low, y.high) +
-      log_tics("x", x) + log_tics("y", y) +
+      log_tics("x", x) + log_tics("y", y) + log_tics("y2", d) +
+      fmt::format(
+          "set y2range [{:.6g}:{:.6g}]\nset ytics nomirror\nset y2label 'Displacement, Sd (mm)' tc rgb "
+          "'{}'\n",
+          d.low, d.high, to_hex(category_ink(2))) +
       heading("Response spectrum of the ground motion, 5 % damping", run.motion.title, width, height) +
       "set xlabel 'Period, T (s)'\nset ylabel 'Pseudo-acceleration, PSa (g)'\n" + period_mark(run, x, y) +
-      fmt::format("plot 'spectrum.txt' with lines lw 1.8 lc rgb '{}' notitle\n", to_hex(category(0)));
+      fmt::format(
+          "plot 'displacement.txt' axes x1y2 with lines lw 1 lc rgb '{}' notitle, 'spectrum.txt' with lines "
+          "lw 1.8 "
+          "lc rgb '{}' notitle\n",
+          to_hex(category(2)), to_hex(category(0)));
   return figure;
 }
 

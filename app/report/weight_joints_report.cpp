@@ -45,6 +45,25 @@ Figure weight_figure(const ModelSheet& model, const std::vector<WeightJoint>& jo
   return block_figure(model, drawing);
 }
 
+Figure load_path_figure(const ModelSheet& model, const std::vector<WeightJoint>& joints) {
+  double most = 1.0;  // N
+  for (const WeightJoint& joint : joints) most = std::max(most, joint.normal);
+  BlockDrawing drawing;
+  drawing.title = "How the weight goes down";
+  drawing.subtitle = model.layout + ": " + model.title;
+  drawing.fill.assign(model.blocks.size(), mixed(ink::white, ink::block, 0.6));
+  drawing.scale_title = "kN";
+  drawing.scale_end = round_up(most / 1e3);
+  std::vector<const WeightJoint*> ascending;
+  for (const WeightJoint& joint : joints) ascending.push_back(&joint);
+  std::ranges::stable_sort(ascending, {}, &WeightJoint::normal);
+  for (const WeightJoint* joint : ascending)
+    drawing.lines.push_back(
+        {joint->start, joint->end, viridis(std::max(0.0, joint->normal) / 1e3 / drawing.scale_end)});
+  drawing.legend = {"Compression in every joint at rest, before the motion."};
+  return block_figure(model, drawing);
+}
+
 std::string weight_joints_csv(const std::vector<WeightJoint>& joints) {
   std::string out =
       "joint,bonded,start x (m),start y (m),end x (m),end y (m),compression (N),shear (N),eccentricity (1),"
@@ -99,6 +118,9 @@ Html page_weight(const RunResult& run, const std::vector<Picture>& pictures) {
              "judged.") +
          figure_named(pictures, "figures/weight.svg", "Faces coloured by the use of their nearest limit.",
                       {"figures/weight.svg", "figures/weight.png", "weight_joints.csv"}) +
+         figure_named(pictures, "figures/load_path.svg",
+                      "The load path: faces coloured by their compression.",
+                      {"figures/load_path.svg", "figures/load_path.png", "weight_joints.csv"}) +
          table(fmt::format("The most used of {}", plural(run.weight_joints.size(), "joint")),
                {{"Joint", "", false},
                 {"Kind", "", false},
