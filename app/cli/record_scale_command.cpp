@@ -4,9 +4,9 @@
 #include "app/cli/motion_file.h"
 #include "app/cli/record_output.h"
 #include "app/cli/record_tools.h"
-#include "app/cli/target_choice.h"
 #include "app/report/record_figures.h"
 #include "app/report/safe_file.h"
+#include "app/study/target_choice.h"
 #include "seismic/design/scaling.h"
 
 namespace dougong::app {

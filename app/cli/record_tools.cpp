@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "app/cli/target_choice.h"
+#include "app/study/target_choice.h"
 
 namespace dougong::app {
 namespace {

@@ -93,6 +93,9 @@ void walk_motion(A& a, R& motion) {
   a.field("displacement_y", "m", motion.displacement_y);
   a.field("spectrum_periods", "s", motion.spectrum_periods);
   a.field("spectrum_psa", "m/s2", motion.spectrum_psa);
+  a.optional_field("design_name", "", motion.design_name);
+  a.optional_field("design_periods", "s", motion.design_periods);
+  a.optional_field("design_psa", "m/s2", motion.design_psa);
   a.field("spectrum_at_period", "m/s2", motion.spectrum_at_period);
 }
 

@@ -16,6 +16,7 @@ namespace dougong::app {
 namespace {
 
 constexpr int width = 660, height = 440, left = 84, right = 84, top = 66, bottom = 56;  // px
+constexpr std::size_t longest_name = 56;
 
 double displacement_of(const MotionSheet& m, std::size_t i) {
   const double w = 2.0 * std::numbers::pi / m.spectrum_periods[i];
@@ -41,6 +42,31 @@ std::string displacement_data(const MotionSheet& m) {
   return out;
 }
 
+std::string design_data(const MotionSheet& m) {
+  std::string out;
+  for (std::size_t i = 0; i < m.design_psa.size(); ++i)
+    out += fmt::format("{:.6g} {:.6g}\n", m.design_periods[i], m.design_psa[i] / engine::standard_gravity);
+  return out;
+}
+
+/// What the dashed line is.
+std::string design_words(const MotionSheet& m) {
+  if (m.design_psa.empty()) return "";
+  return fmt::format("set label {} at graph 0.02, graph 0.12 left front tc rgb '{}'\n",
+                     gnuplot_text("dashed: " + shortened(m.design_name, longest_name)), to_hex(ink::quiet));
+}
+
+std::string curves(const MotionSheet& m) {
+  const std::string out = fmt::format(
+      "plot 'displacement.txt' axes x1y2 with lines lw 1 lc rgb '{}' notitle, 'spectrum.txt' with lines lw "
+      "1.8 lc "
+      "rgb '{}' notitle",
+      to_hex(category(2)), to_hex(category(0)));
+  if (m.design_psa.empty()) return out + "\n";
+  return out +
+         fmt::format(", 'design.txt' with lines lw 1.4 dt (6,4) lc rgb '{}' notitle\n", to_hex(ink::outline));
+}
+
 Range displacement_range(const MotionSheet& m) {
   std::vector<double> values;
   for (std::size_t i = 0; i < m.spectrum_psa.size(); ++i) values.push_back(displacement_of(m, i));
@@ -58,6 +84,7 @@ Range period_range(const MotionSheet& m) {
 Range psa_range(const MotionSheet& m) {
   std::vector<double> values;
   for (const double psa : m.spectrum_psa) values.push_back(psa / engine::standard_gravity);
+  for (const double psa : m.design_psa) values.push_back(psa / engine::standard_gravity);
   return log_range(values);
 }
 
@@ -86,11 +113,12 @@ std::string period_mark(const RunResult& run, Range x, Range y) {
 
 Figure spectrum_figure(const RunResult& run) {
   const Range x = period_range(run.motion), y = psa_range(run.motion);
-  Figure figure{
-      width,
-      height,
-      "",
-      {{"spectrum.txt", curve_data(run.motion)}, {"displacement.txt", displacement_data(run.motion)}}};
+  Figure figure{width,
+                height,
+                "",
+                {{"spectrum.txt", curve_data(run.motion)},
+                 {"displacement.txt", displacement_data(run.motion)},
+                 {"design.txt", design_data(run.motion)}}};
   const Range d = displacement_range(run.motion);
   figure.script =
       plain_style() + "set logscale xyy2\n" +
@@ -106,11 +134,7 @@ Figure spectrum_figure(const RunResult& run) {
           d.low, d.high, to_hex(category_ink(2))) +
       heading("Response spectrum of the ground motion, 5 % damping", run.motion.title, width, height) +
       "set xlabel 'Period, T (s)'\nset ylabel 'Pseudo-acceleration, PSa (g)'\n" + period_mark(run, x, y) +
-      fmt::format(
-          "plot 'displacement.txt' axes x1y2 with lines lw 1 lc rgb '{}' notitle, 'spectrum.txt' with lines "
-          "lw 1.8 "
-          "lc rgb '{}' notitle\n",
-          to_hex(category(2)), to_hex(category(0)));
+      design_words(run.motion) + curves(run.motion);
   return figure;
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/study/quantity.h"
+#include "app/study/target_choice.h"
 
 namespace dougong::app {
 
@@ -114,6 +115,8 @@ seismic::Channels read_scenario_channels(const RecordChoice& choice, const std::
 
 MotionInput make_motion(const Scenario& scenario, const std::filesystem::path& directory) {
   MotionInput input;
+  if (const std::string& design = scenario.record.design_spectrum; !design.empty())
+    input.design = target_spectrum(design, "record.design_spectrum");
   input.records = read_scenario_record(scenario.record, directory);
   if (scenario.record.vertical && !input.records.vertical())
     throw seismic::InputError(input.records.horizontal().provenance.file, 0,
@@ -122,6 +125,20 @@ MotionInput make_motion(const Scenario& scenario, const std::filesystem::path& d
   input.ground = std::make_shared<const seismic::GroundMotion>(input.conditioned.ground_motion());
   return input;
 }
+
+namespace {
+
+// At the periods of the motion's spectrum that it covers.
+void draw_design(const seismic::DesignSpectrum& design, MotionSheet& sheet) {
+  sheet.design_name = design.name;
+  for (const double period : sheet.spectrum_periods) {
+    if (period < design.shortest_period || period > design.longest_period) continue;
+    sheet.design_periods.push_back(period);
+    sheet.design_psa.push_back(design.at(period));
+  }
+}
+
+}  // namespace
 
 MotionSheet motion_sheet(const MotionInput& motion, double period) {
   const seismic::GroundHistory& x = motion.ground->horizontal();
@@ -142,6 +159,7 @@ MotionSheet motion_sheet(const MotionInput& motion, double period) {
   sheet.spectrum_periods = seismic::log_spaced_periods();
   for (const auto& p : seismic::response_spectrum(x.acceleration, x.interval, sheet.spectrum_periods))
     sheet.spectrum_psa.push_back(p.pseudo_acceleration);
+  if (motion.design) draw_design(*motion.design, sheet);
   if (period > 0.0)
     sheet.spectrum_at_period =
         seismic::spectral_point(x.acceleration, x.interval, period).pseudo_acceleration;

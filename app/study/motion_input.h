@@ -3,9 +3,11 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "app/study/run_result.h"
 #include "app/study/scenario.h"
+#include "seismic/design/design_spectrum.h"
 #include "seismic/seismic.h"
 
 namespace dougong::app {
@@ -14,6 +16,7 @@ struct MotionInput {
   seismic::RecordSet records;
   seismic::ConditionedMotion conditioned;
   std::shared_ptr<const seismic::GroundMotion> ground;
+  std::optional<seismic::DesignSpectrum> design;  // to be drawn beside the motion's
 };
 
 /// What a scenario says of the file to read. Throws seismic::InputError.
@@ -26,7 +29,7 @@ seismic::ConditioningOptions conditioning_options(const Scenario& scenario);
 /// Every channel of it, each as long as the file has it. Throws seismic::InputError.
 seismic::Channels read_scenario_channels(const RecordChoice& choice,
                                          const std::filesystem::path& records_directory);
-/// Throws seismic::InputError.
+/// Throws ScenarioError or seismic::InputError.
 MotionInput make_motion(const Scenario& scenario, const std::filesystem::path& records_directory);
 /// period: of the building, marked in the spectrum; 0 for none.
 MotionSheet motion_sheet(const MotionInput& motion, double period);

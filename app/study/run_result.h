@@ -97,7 +97,9 @@ struct MotionSheet {
   std::vector<double> acceleration_y, velocity_y, displacement_y;  // empty without a vertical motion
   std::vector<double> spectrum_periods;                            // s
   std::vector<double> spectrum_psa;                                // m/s2, 5 % damping, horizontal
-  double spectrum_at_period = 0.0;  // m/s2, PSa at the building's period; 0 without one
+  double spectrum_at_period = 0.0;                 // m/s2, PSa at the building's period; 0 without one
+  std::string design_name;                         // of a standard's spectrum drawn beside it; empty: none
+  std::vector<double> design_periods, design_psa;  // s, m/s2
 };
 
 /// Cumulated energies (J), one entry an output time. error = kinetic + gravity + elastic + friction

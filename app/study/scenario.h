@@ -52,6 +52,7 @@ struct RecordChoice {
   std::string count_scale;         // gal per count, "3920/6182761", for files in counts that do not say
   std::optional<double> pga;       // m/s2, that the horizontal component is scaled to
   std::optional<double> scale;     // -, instead of pga
+  std::string design_spectrum;     // drawn beside the motion's, in words (target_choice.h); empty: none
 };
 
 struct Conditioning {

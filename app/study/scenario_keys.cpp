@@ -97,6 +97,9 @@ std::vector<ScenarioKey> make_table() {
              "peak ground acceleration that the horizontal component is scaled to; none: as recorded"),
       number("record.scale", slot<&S::record, &R::scale>, ratio, -1e6, 1e6,
              "factor on the record, instead of record.pga"),
+      text("record.design_spectrum", slot<&S::record, &R::design_spectrum>,
+           "a spectrum of a standard to draw beside the motion's, in the words of docs/records.md, "
+           "\"ec8: type=1, ground=C, ag=0.25 g\""),
 
       text("conditioning.offset", slot<&S::conditioning, &C::offset>,
            "constant taken off the samples: of the whole record, of its start, or none",

@@ -64,5 +64,14 @@ TEST(Spectrum, HasTheDisplacementOnItsRightAxis) {
   EXPECT_THAT(spectrum_figure(run).data.at("displacement.txt"), HasSubstr("1 50.6606"));
 }
 
+TEST(Spectrum, HasTheDesignSpectrumThatWasAskedFor) {
+  RunResult run = fixtures::survived();
+  EXPECT_THAT(spectrum_figure(run).script, Not(HasSubstr("design.txt")));
+  run.motion.design_name = "Eurocode 8, type 1, ground C";
+  run.motion.design_periods = {0.2, 1.0}, run.motion.design_psa = {7.0, 3.0};
+  const DrawnFigure drawn = draw(spectrum_figure(run));
+  EXPECT_THAT(drawn.svg, HasSubstr("dashed: Eurocode 8, type 1, ground C"));
+}
+
 }  // namespace
 }  // namespace dougong::app

@@ -111,6 +111,33 @@ TEST(MotionSheet, MarksTheSpectrumAtThePeriodOfTheBuilding) {
               probe.spectrum_psa[middle], 1e-9 * probe.spectrum_psa[middle]);
 }
 
+// EN 1998-1:2004, 3.2.2.2: the plateau of type 1 on ground C is 2.5 S ag with S = 1.15, from 0.2 to 0.6 s.
+TEST(MotionSheet, HoldsTheDesignSpectrumThatWasAskedFor) {
+  const MotionSheet sheet =
+      motion_sheet(make_motion(scenario_with({"design_spectrum=ec8: type=1, ground=C, ag=0.25 g"}),
+                               DOUGONG_RECORDS_DIRECTORY),
+                   0.0);
+  EXPECT_THAT(sheet.design_name, HasSubstr("Eurocode 8"));
+  ASSERT_EQ(sheet.design_periods.size(), sheet.design_psa.size());
+  std::size_t plateau = 0;
+  for (std::size_t i = 0; i < sheet.design_periods.size(); ++i) {
+    if (sheet.design_periods[i] < 0.2 || sheet.design_periods[i] > 0.6) continue;
+    EXPECT_NEAR(sheet.design_psa[i], 2.5 * 1.15 * 0.25 * 9.80665, 1e-9);
+    ++plateau;
+  }
+  EXPECT_GT(plateau, 5u);
+}
+
+TEST(Prepare, RefusesADesignSpectrumThatIsNone) {
+  try {
+    make_motion(scenario_with({"design_spectrum=ec9: a=1"}), DOUGONG_RECORDS_DIRECTORY);
+    FAIL();
+  } catch (const ScenarioError& error) {
+    EXPECT_THAT(error.what(),
+                AllOf(HasSubstr("record.design_spectrum"), HasSubstr("ec9"), HasSubstr("gb50011")));
+  }
+}
+
 TEST(MotionSheet, HoldsTheVerticalMotionWhenItIsAskedFor) {
   const MotionInput motion = make_motion(scenario_with({"vertical=true"}), DOUGONG_RECORDS_DIRECTORY);
   const MotionSheet sheet = motion_sheet(motion, 0.0);

@@ -1,18 +1,18 @@
-#include "app/cli/target_choice.h"
+#include "app/study/target_choice.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <sstream>
 
-#include "app/cli/word_keys.h"
-#include "app/report/safe_file.h"
 #include "app/study/quantity.h"
+#include "app/study/word_keys.h"
 #include "seismic/design/asce7.h"
 #include "seismic/design/eurocode8.h"
 #include "seismic/design/gb50011.h"
 #include "seismic/design/japan.h"
 #include "seismic/design/spectrum_table.h"
+#include "seismic/formats/file_text.h"
 #include "seismic/input_error.h"
 #include "seismic/numerics/parse_number.h"
 #include "seismic/units.h"
@@ -87,7 +87,7 @@ DesignSpectrum table(Keys& keys) {
   if (how != "linear" && how != "log")
     keys.fail("interpolation: expected linear or log, found \"" + how + "\"");
   seismic::SpectrumTable rows{file, {}, {}};
-  std::istringstream text(read_file(file));
+  std::istringstream text(seismic::read_bytes(file));
   std::size_t number = 0;
   for (std::string line; std::getline(text, line);) {
     ++number;
@@ -122,11 +122,11 @@ constexpr Kind kinds[] = {
 
 }  // namespace
 
-DesignSpectrum target_spectrum(const std::string& text) {
+DesignSpectrum target_spectrum(const std::string& text, const std::string& where) {
   const auto colon = text.find(':');
   const std::string kind_word = trimmed(text.substr(0, colon));
-  Keys keys("--target " + text,
-            key_values(colon == std::string::npos ? "" : text.substr(colon + 1), "--target " + text));
+  const std::string place = where + " " + text;
+  Keys keys(place, key_values(colon == std::string::npos ? "" : text.substr(colon + 1), place));
   for (const Kind& kind : kinds) {
     if (kind_word != kind.name) continue;
     DesignSpectrum spectrum = kind.make(keys);

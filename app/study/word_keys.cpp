@@ -1,4 +1,4 @@
-#include "app/cli/word_keys.h"
+#include "app/study/word_keys.h"
 
 #include <sstream>
 #include <utility>
