@@ -52,7 +52,7 @@ std::string design_data(const MotionSheet& m) {
 /// What the dashed line is.
 std::string design_words(const MotionSheet& m) {
   if (m.design_psa.empty()) return "";
-  return fmt::format("set label {} at graph 0.02, graph 0.12 left front tc rgb '{}'\n",
+  return fmt::format("set label {} at graph 0.02, graph 0.95 left front tc rgb '{}'\n",
                      gnuplot_text("dashed: " + shortened(m.design_name, longest_name)), to_hex(ink::quiet));
 }
 
