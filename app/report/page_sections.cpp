@@ -45,13 +45,23 @@ Html named_values(std::string_view caption, const char* first, const std::vector
 Html storey_table(const ModelSheet& model) {
   if (model.storeys.empty()) return {};
   std::vector<std::vector<std::string>> rows;
+  const auto bonds_of = [&](const StoreySheet& storey) {
+    return std::ranges::count(model.bonded, storey.name,
+                              [&](const DrawnBond& bond) { return storey_of(model, bond); });
+  };
   for (auto s = model.storeys.rbegin(); s != model.storeys.rend(); ++s) {
     rows.push_back({s->name, fixed(s->base, 2), fixed(s->height, 2), fixed(s->mass / 1e3, 2),
-                    std::to_string(s->blocks)});
+                    std::to_string(s->blocks), std::to_string(bonds_of(*s))});
   }
-  rows.push_back({"all", "", "", fixed(model.mass / 1e3, 2), std::to_string(model.blocks.size())});
+  rows.push_back({"all", "", "", fixed(model.mass / 1e3, 2), std::to_string(model.blocks.size()),
+                  std::to_string(model.bonded.size())});
   return table("Storeys, top first",
-               {{"Storey", "", false}, {"Base", "m"}, {"Height, h", "m"}, {"Mass", "t"}, {"Blocks", ""}},
+               {{"Storey", "", false},
+                {"Base", "m"},
+                {"Height, h", "m"},
+                {"Mass", "t"},
+                {"Blocks", ""},
+                {"Bonds", ""}},
                rows);
 }
 
