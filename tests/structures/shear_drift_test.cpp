@@ -70,7 +70,7 @@ TEST(ShearDrift, IsKeptFromTheLossOn) {
   script.block = [](const std::string& name, double t) {
     return name.starts_with("S4.slab") ? Pose{0.02 * t, t > 2.0 ? -3.0 : 0.0, 0} : Pose{};
   };
-  const StoreyResponse& top = script.response().storeys[3];
+  const StoreyResponse top = script.response().storeys[3];
   ASSERT_TRUE(top.lost_at);
   EXPECT_EQ(top.shear_drift.back(), top.shear_drift[top.shear_drift.size() / 2]);
 }
