@@ -10,6 +10,7 @@
 #include "app/report/csv.h"
 #include "app/report/page.h"
 #include "app/report/text.h"
+#include "app/study/weight_joints.h"
 
 namespace dougong::app {
 namespace {
@@ -18,10 +19,6 @@ using structures::Peak;
 
 constexpr std::size_t told = 12;
 constexpr double least_scale = 1e-6;  // m
-
-double movement(const MovedJoint& joint) {
-  return std::max(joint.opening.value, std::abs(joint.slip.value));
-}
 
 std::string millimetres(double metres) {
   return fixed(1e3 * metres, std::abs(metres) < 1e-3 ? 3 : 1);

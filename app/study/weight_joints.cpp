@@ -11,10 +11,6 @@ std::string name_of(const structures::FaceLoad& face, const engine::Scene& scene
   return face.bonded ? scene.bonds[face.bond].name : model.names[face.a] + " / " + model.names[face.b];
 }
 
-double movement(const MovedJoint& joint) {
-  return std::max(joint.opening.value, std::abs(joint.slip.value));
-}
-
 }  // namespace
 
 std::vector<WeightJoint> weight_joints(const engine::Scene& scene, const engine::Model& model,
@@ -27,6 +23,10 @@ std::vector<WeightJoint> weight_joints(const engine::Scene& scene, const engine:
                       f.compression, f.tension, f.used, to_string(f.limit)});
   }
   return joints;
+}
+
+double movement(const MovedJoint& joint) {
+  return std::max(joint.opening.value, std::abs(joint.slip.value));
 }
 
 std::vector<MovedJoint> moved_joints(const engine::Scene& scene, const engine::Model& model,

@@ -11,6 +11,8 @@ namespace dougong::app {
 std::vector<WeightJoint> weight_joints(const engine::Scene& scene, const engine::Model& model,
                                        const engine::State& state);
 
+/// The more of its widest opening and its farthest slip (m).
+double movement(const MovedJoint& joint);
 /// Those that opened or slid farthest first.
 std::vector<MovedJoint> moved_joints(const engine::Scene& scene, const engine::Model& model,
                                      const structures::JointForceRecorder& recorder,

@@ -381,26 +381,31 @@ TEST(Bonds, ThatVibrateAtHalfTheBoundKeepTheLedgerToRounding) {
   EXPECT_LT(error, 1e-9 * swung);
 }
 
-// Five bonded blocks shaken to pieces: what the cracked faces stored passes to the contacts.
-TEST(Bonds, ThatBreakUnderShakingKeepTheLedger) {
+// Five blocks on each other, bonded by that law, on a ground that shakes with so much (m/s2).
+Scene shaken_stack(double a, Bond law) {
   Scene s = scenes::scene(0.6, 1e9);
   for (int i = 0; i < 5; ++i) s.bodies.push_back(scenes::block(0.25, 0.5, {0.0, 0.5 + i}));
   s.terrains.push_back(scenes::ground(
       200.0, {}, 0.0,
-      scenes::horizontal_motion([](double t) { return 20.0 * std::sin(6.28 * t); },
-                                [](double t) { return 20.0 / 6.28 * (1.0 - std::cos(6.28 * t)); },
-                                [](double t) { return 20.0 / 6.28 * (t - std::sin(6.28 * t) / 6.28); })));
+      scenes::horizontal_motion([a](double t) { return a * std::sin(6.28 * t); },
+                                [a](double t) { return a / 6.28 * (1.0 - std::cos(6.28 * t)); },
+                                [a](double t) { return a / 6.28 * (t - std::sin(6.28 * t) / 6.28); })));
+  law.damping_ratio = 0.05;
   for (std::size_t i = 0; i < 5; ++i) {
-    Bond b;
-    b.name = "joint " + std::to_string(i);
-    b.a = i == 0 ? Owner{true, 0} : Owner{false, i - 1};
-    b.b = {false, i};
-    b.start = {-0.25, static_cast<double>(i)}, b.end = {0.25, static_cast<double>(i)};
-    b.tensile_strength = 1e5, b.cohesion = 2e5;
-    b.damping_ratio = 0.05;
-    s.bonds.push_back(b);
+    law.name = "joint " + std::to_string(i);
+    law.a = i == 0 ? Owner{true, 0} : Owner{false, i - 1};
+    law.b = {false, i};
+    law.start = {-0.25, static_cast<double>(i)}, law.end = {0.25, static_cast<double>(i)};
+    s.bonds.push_back(law);
   }
-  Running r(s);
+  return s;
+}
+
+// Five bonded blocks shaken to pieces: what the cracked faces stored passes to the contacts.
+TEST(Bonds, ThatBreakUnderShakingKeepTheLedger) {
+  Bond law;
+  law.tensile_strength = 1e5, law.cohesion = 2e5;
+  Running r(shaken_stack(20.0, law));
   ASSERT_TRUE(settle(r.model, r.state).settled);
   const double start = r.energies().balance();
   const RunOutcome end = r.run(run_for(2.0));
@@ -515,24 +520,9 @@ TEST(Bond, ThatIsPressedBendsToTheMomentOfItsBlocksOfStress) {
 
 // A column of five blocks shaken until its lowest joints crush: what the ledger books is what is missing.
 TEST(Bonds, ThatCrushUnderShakingKeepTheLedger) {
-  Scene s = scenes::scene(0.6, 1e9);
-  for (int i = 0; i < 5; ++i) s.bodies.push_back(scenes::block(0.25, 0.5, {0.0, 0.5 + i}));
-  s.terrains.push_back(scenes::ground(
-      200.0, {}, 0.0,
-      scenes::horizontal_motion([](double t) { return 4.0 * std::sin(6.28 * t); },
-                                [](double t) { return 4.0 / 6.28 * (1.0 - std::cos(6.28 * t)); },
-                                [](double t) { return 4.0 / 6.28 * (t - std::sin(6.28 * t) / 6.28); })));
-  for (std::size_t i = 0; i < 5; ++i) {
-    Bond b;
-    b.name = "joint " + std::to_string(i);
-    b.a = i == 0 ? Owner{true, 0} : Owner{false, i - 1};
-    b.b = {false, i};
-    b.start = {-0.25, static_cast<double>(i)}, b.end = {0.25, static_cast<double>(i)};
-    b.compressive_strength = 5e5;
-    b.damping_ratio = 0.05;
-    s.bonds.push_back(b);
-  }
-  Running r(s);
+  Bond law;
+  law.compressive_strength = 5e5;
+  Running r(shaken_stack(4.0, law));
   ASSERT_TRUE(settle(r.model, r.state).settled);
   const double start = r.energies().balance();
   const RunOutcome end = r.run(run_for(2.0));
