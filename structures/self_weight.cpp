@@ -18,6 +18,32 @@ void judge(FaceLoad& face, FaceLimit limit, double used) {
   face.limit = limit;
 }
 
+/// Where the compression passes: `signed_eccentricity` of half the face, towards its end.
+Vec2 passes_through(const FaceLoad& face, double signed_eccentricity) {
+  return 0.5 * (face.start + face.end) +
+         0.5 * std::clamp(signed_eccentricity, -1.0, 1.0) * (face.end - face.start);
+}
+
+/// Of one block, from its centroid to the face (m/Pa).
+double flexibility(const engine::Model& model, std::span<const engine::Frame> frames, std::size_t body,
+                   Vec2 middle, Vec2 normal) {
+  if (model.is_terrain(static_cast<engine::Index>(body))) return 0.0;
+  const double height = std::abs(dot(normal, middle - model.origin - frames[body].position()));
+  return height / model.materials[body].young_modulus;
+}
+
+double stiffness_of_blocks(const engine::Model& model, std::span<const engine::Frame> frames,
+                           const FaceLoad& face) {
+  const Vec2 along = face.end - face.start, middle = 0.5 * (face.start + face.end);
+  const double length = norm(along);
+  if (!(length > 0.0)) return 0.0;
+  const Vec2 normal = (1.0 / length) * engine::turned(along);
+  const double flexible =
+      flexibility(model, frames, face.a, middle, normal) + flexibility(model, frames, face.b, middle, normal);
+  const double area = length * std::min(model.thickness[face.a], model.thickness[face.b]);
+  return flexible > 0.0 ? area / flexible : 0.0;
+}
+
 // --- bonds -----------------------------------------------------------------------------------------
 
 struct PointLoad {
@@ -60,7 +86,11 @@ FaceLoad bond_load(const engine::Model& model, const engine::State& state,
   const double n1 = loads[0].force.normal, n2 = loads[1].force.normal;  // tension
   face.normal = -(n1 + n2);
   face.shear = loads[0].force.tangential + loads[1].force.tangential;
-  if (n1 + n2 != 0.0) face.eccentricity = std::abs((n2 - n1) / (n1 + n2)) / std::numbers::sqrt3;
+  const double eccentricity = n1 + n2 != 0.0 ? (n2 - n1) / (n1 + n2) / std::numbers::sqrt3 : 0.0;
+  face.eccentricity = std::abs(eccentricity);
+  face.through = passes_through(face, eccentricity);
+  face.stiffness = points[0].law.normal + points[1].law.normal;
+  face.blocks_stiffness = stiffness_of_blocks(model, frames, face);
   const double area = half_area(model, points[0], 2.0 * norm(half));
   const double mean = 0.5 * (n1 + n2) / area, swing = 0.5 * std::numbers::sqrt3 * std::abs(n1 - n2) / area;
   face.tension = std::max(0.0, mean + swing), face.compression = std::max(0.0, swing - mean);
@@ -94,12 +124,16 @@ FaceLoad contact_load(const engine::Model& model, const engine::State& state,
     normal[k] = dot(force, g.normal);
     face.shear += (points.corner_is_b(i) ? 1.0 : -1.0) * dot(force, engine::turned(g.normal));
     friction = points.stiffness(i).friction;
+    face.stiffness += points.stiffness(i).normal;
   }
   face.start = model.origin + place[0], face.end = model.origin + place[1];
   face.normal = normal[0] + normal[1];
   if (!(face.normal > 0.0)) return face;
   const double length = norm(place[1] - place[0]);
-  face.eccentricity = length > 0.0 ? std::abs(normal[1] - normal[0]) / face.normal : 0.0;
+  const double eccentricity = length > 0.0 ? (normal[1] - normal[0]) / face.normal : 0.0;
+  face.eccentricity = std::abs(eccentricity);
+  face.through = passes_through(face, eccentricity);
+  face.blocks_stiffness = stiffness_of_blocks(model, frames, face);
   const double area = length * std::min(model.thickness[face.a], model.thickness[face.b]);
   face.compression = area > 0.0 ? face.normal / area * peak_factor(face.eccentricity)
                                 : std::numeric_limits<double>::infinity();

@@ -2,6 +2,11 @@
 // used.
 //
 //   N  compression, T  shear, over the face (N); e  from the middle of the face to where N passes (m)
+// `through` is that place: from block to block it is the line of thrust. The face resists closing with the
+// stiffness k of its points together; the blocks themselves, columns between their centroids (h_a, h_b from
+// the face, the ground rigid), with
+//   k_blocks = 1 / (h_a / (E_a A) + h_b / (E_b A))
+// so k / k_blocks tells how much softer or harder the joint is than what it joins.
 // A bonded face of length L and area A has two points at +-L/(2 sqrt 3), whose stresses s1, s2 give
 //   s(edge) = (s1 + s2)/2 +- sqrt(3) (s1 - s2)/2
 // and uses of its strength  tension at its edge / tensile strength, or force / yield of a ductile point, and
@@ -28,6 +33,7 @@ struct FaceLoad {
   std::size_t bond = 0;       // of the scene, if bonded
   std::size_t a = 0, b = 0;   // bodies; terrains are numbered behind them
   engine::Vec2 start, end;    // m, of the face
+  engine::Vec2 through;       // m, where N passes it, no farther than its ends
   double normal = 0.0;        // N, compression
   double shear = 0.0;         // N
   double eccentricity = 0.0;  // -, e', unsigned; of a face in tension too
@@ -35,6 +41,8 @@ struct FaceLoad {
   double tension = 0.0;       // Pa, the greatest
   double used = 0.0;          // of the limit that is nearest
   FaceLimit limit = FaceLimit::none;
+  double stiffness = 0.0;         // N/m, k
+  double blocks_stiffness = 0.0;  // N/m, k_blocks; 0 at a corner
 };
 
 /// Bonds first, in the scene's order, then the pairs that touch. A bond that has broken altogether is left

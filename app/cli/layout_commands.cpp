@@ -193,7 +193,8 @@ int layout_check_command(const LayoutOptions& options) {
              rest.model.bond_points.size());
   if (!rest.report.settled) return exit_bad_input;
   fmt::print("period {}\n", period_of(rest));
-  const std::vector<WeightJoint> joints = weight_joints(building.scene, rest.model, rest.state);
+  const std::vector<WeightJoint> joints =
+      weight_joints(building.scene, rest.model, structures::face_loads(rest.model, rest.state));
   print_joints(joints);
   if (options.out.empty()) return exit_survived;
   const DrawnFigure drawn = draw(weight_figure(model_sheet(building), joints));

@@ -85,15 +85,18 @@ std::size_t jobs_of(const RunOptions& options) {
   return options.jobs > 0 ? options.jobs : std::max(1u, std::thread::hardware_concurrency());
 }
 
-// The members of the ensemble, unless the run itself was interrupted. What has been computed is saved before
-// they begin.
+std::string repetition_text(const EnsembleChoice& ensemble) {
+  if (ensemble.n >= 2) return fmt::format("Running {} more times with small changes ...", ensemble.n - 1);
+  return "Running once more with half the step (--set ensemble.half_step=false leaves it out) ...";
+}
+
+// The other members of the ensemble and the half step, unless the run itself was interrupted. What has been
+// computed is saved before they begin.
 void repeat(const Preparation& preparation, std::size_t jobs, const fs::path& directory,
             Interrupts& interrupts, Terminal& terminal, RunResult& result) {
-  if (preparation.scenario.ensemble.n < 2 || result.partial) return;
+  if (runs_of(preparation.scenario) < 2 || result.partial) return;
   save(result, directory);
-  terminal.line(
-      fmt::format("Running {} more times with small changes ...", preparation.scenario.ensemble.n - 1),
-      Tone::faint);
+  terminal.line(repetition_text(preparation.scenario.ensemble), Tone::faint);
   result.ensemble = run_ensemble(preparation, result, jobs, [&](const EnsembleProgress& progress) {
     terminal.progress(progress);
     return !interrupts.asked();
@@ -132,8 +135,17 @@ void print_json(const std::string& text) {
     throw std::runtime_error("cannot write to standard output; the same is in summary.json");
 }
 
-void say_answer(const RunResult& result, const Terminal& terminal) {
-  for (const ToneLine& line : answer_text(result)) terminal.line(line.text, line.tone);
+void say(const std::vector<ToneLine>& lines, const Terminal& terminal) {
+  for (const ToneLine& line : lines) terminal.line(line.text, line.tone);
+}
+
+// One run has its answer before its half step is known.
+void answer_and_repeat(const Preparation& preparation, std::size_t jobs, const fs::path& directory,
+                       Interrupts& interrupts, Terminal& terminal, RunResult& result) {
+  const bool once = preparation.scenario.ensemble.n < 2;
+  if (once) say(answer_text(result), terminal);
+  repeat(preparation, jobs, directory, interrupts, terminal, result);
+  say(once ? half_step_line(result) : answer_text(result), terminal);
 }
 
 void say_files(const fs::path& directory, std::size_t files, const Terminal& terminal) {
@@ -165,8 +177,7 @@ int run_command(const RunOptions& options) {
   Interrupts interrupts(folder.made());
   Preparation preparation = prepare_aloud(scenario, terminal);
   RunResult computed = shake(preparation, options.command, folder.path(), interrupts, terminal);
-  repeat(preparation, jobs_of(options), folder.path(), interrupts, terminal, computed);
-  say_answer(computed, terminal);
+  answer_and_repeat(preparation, jobs_of(options), folder.path(), interrupts, terminal, computed);
   const RunResult result = save_and_reload(computed, folder.path());
   say_files(folder.path(), draw_report(result, folder.path()) + 1, terminal);
   film_aloud(result, options.film, terminal);
@@ -179,7 +190,8 @@ int report_command(const ReportOptions& options) {
   require_film_path(options.film, options.force);
   const RunResult result = read_results(directory / "results.h5");
   const Terminal terminal(stdout);
-  say_answer(result, terminal);
+  say(answer_text(result), terminal);
+  say(half_step_line(result), terminal);
   say_files(directory, draw_report(result, directory) + 1, terminal);
   film_aloud(result, options.film, terminal);
   return exit_survived;

@@ -189,6 +189,13 @@ std::vector<ToneLine> answer_text(const RunResult& r) {
   return lines;
 }
 
+std::vector<ToneLine> half_step_line(const RunResult& r) {
+  const EnsembleSheet& e = r.ensemble;
+  if (e.members.size() != 1 || !e.half_step.done) return {};
+  const bool same = e.half_step.verdict == r.verdict.kind;
+  return {{row("half step", half_step_text(e)), same ? Tone::plain : Tone::doubtful}};
+}
+
 std::vector<std::string> files_text(const std::filesystem::path& directory, std::size_t files) {
   return {row("report", (directory / "report.html").string()),
           row("files", fmt::format("{} in {}", files, directory.string()))};

@@ -19,6 +19,8 @@ std::string heads_of(const std::vector<std::string>& terms);
 
 std::vector<std::string> preparation_text(const Preparation& preparation);
 std::vector<ToneLine> answer_text(const RunResult& result);
+/// What half the step changed of a run that was made once; empty where it was not done.
+std::vector<ToneLine> half_step_line(const RunResult& result);
 std::vector<std::string> files_text(const std::filesystem::path& directory, std::size_t files);
 
 }  // namespace dougong::app

@@ -28,10 +28,13 @@ struct Sheet {
 
 Box box_of(const ModelSheet& model, const BlockDrawing& drawing) {
   Box box = model_bounds(model);
+  const Box seen = stage(model);
   for (std::size_t i = 0; i < drawing.moved.size(); ++i)
     for (const auto& outline : outlines(model.blocks[i], drawing.moved[i]))
       for (const Vec2 p : outline)
-        box = {{std::min(box.low.x, p.x), box.low.y}, {std::max(box.high.x, p.x), std::max(box.high.y, p.y)}};
+        if (seen.holds(p))
+          box = {{std::min(box.low.x, p.x), box.low.y},
+                 {std::max(box.high.x, p.x), std::max(box.high.y, p.y)}};
   return framed(box);
 }
 
@@ -167,7 +170,8 @@ std::string colour_scale(const BlockDrawing& drawing, const Sheet& sheet) {
 
 std::string lines(const BlockDrawing& drawing) {
   std::string out;
-  for (const DrawingLine& line : drawing.lines) out += arrow(line.from, line.to, line.colour, false, 3.2);
+  for (const DrawingLine& line : drawing.lines)
+    out += arrow(line.from, line.to, line.colour, false, line.width);
   return out;
 }
 

@@ -28,6 +28,7 @@ struct DrawingMark {
 struct DrawingLine {
   engine::Vec2 from, to;  // m
   Colour colour;
+  double width = 3.2;  // px
 };
 
 struct BlockDrawing {

@@ -1,7 +1,10 @@
 #include "app/report/csv.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <functional>
+#include <numbers>
 
 #include "app/report/text.h"
 #include "app/study/floor_spectra.h"
@@ -40,7 +43,7 @@ std::string table(const std::vector<Column>& columns, std::size_t rows) {
 using History = std::vector<double> StoreyResponse::*;
 
 /// For every storey its history, empty once lost, and the flag.
-std::string storeys_csv(const RunResult& run, const std::string& quantity, History history) {
+std::string histories_csv(const RunResult& run, const std::string& quantity, History history) {
   const auto& times = run.response.times;
   std::vector<Column> columns{numbers("time (s)", times)};
   for (const StoreyResponse& storey : run.response.storeys) {
@@ -63,15 +66,15 @@ std::string csv_text(const std::string& text) {
 }
 
 std::string drift_csv(const RunResult& run) {
-  return storeys_csv(run, "interstorey drift ratio (1)", &StoreyResponse::drift);
+  return histories_csv(run, "interstorey drift ratio (1)", &StoreyResponse::drift);
 }
 
 std::string shear_drift_csv(const RunResult& run) {
-  return storeys_csv(run, "drift ratio without base rotation (1)", &StoreyResponse::shear_drift);
+  return histories_csv(run, "drift ratio without base rotation (1)", &StoreyResponse::shear_drift);
 }
 
 std::string acceleration_csv(const RunResult& run) {
-  return storeys_csv(run, "floor acceleration absolute (m/s2)", &StoreyResponse::floor_acceleration);
+  return histories_csv(run, "floor acceleration absolute (m/s2)", &StoreyResponse::floor_acceleration);
 }
 
 std::string roof_and_base_shear_csv(const RunResult& run) {
@@ -114,6 +117,39 @@ std::string energy_csv(const RunResult& run) {
   if (std::ranges::any_of(e.field, [](double value) { return value != 0.0; }))
     columns.insert(columns.end() - 1, numbers("field (J)", e.field));
   return table(columns, output_times(run).size());
+}
+
+std::string storeys_csv(const RunResult& run) {
+  std::string text =
+      "storey,height (m),peak drift + (1),at (s),peak drift - (1),at (s),residual drift (1),"
+      "peak drift without base rotation + (1),peak drift without base rotation - (1),"
+      "peak floor acceleration + (m/s2),at (s),peak floor acceleration - (m/s2),at (s),lost at (s)\n";
+  const auto peak = [](const structures::Peak& p) { return exact(p.value) + "," + exact(p.time); };
+  for (const StoreyResponse& s : run.response.storeys)
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", csv_text(s.name), exact(s.height),
+                        peak(s.peak_drift.positive), peak(s.peak_drift.negative), exact(s.residual_drift),
+                        exact(s.peak_shear_drift.positive.value), exact(s.peak_shear_drift.negative.value),
+                        peak(s.peak_acceleration.positive), peak(s.peak_acceleration.negative),
+                        s.lost_at ? exact(*s.lost_at) : "");
+  return text;
+}
+
+std::string overlap_csv(const RunResult& run) {
+  const Numerics& n = run.numerics;
+  return table({numbers("time (s)", output_times(run)), numbers("deepest overlap ratio (1)", n.overlap_ratio),
+                numbers("mean overlap ratio (1)", n.mean_overlap_ratio)},
+               output_times(run).size());
+}
+
+// Sd = PSa / omega^2.
+std::string spectrum_csv(const MotionSheet& m) {
+  const Column displacement{"Sd 5 % (m)", [&m](std::size_t row) {
+                              const double omega = 2.0 * std::numbers::pi / m.spectrum_periods[row];
+                              return exact(m.spectrum_psa[row] / (omega * omega));
+                            }};
+  return table(
+      {numbers("period (s)", m.spectrum_periods), numbers("PSa 5 % (m/s2)", m.spectrum_psa), displacement},
+      m.spectrum_periods.size());
 }
 
 std::string motion_csv(const RunResult& run) {

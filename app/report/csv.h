@@ -22,6 +22,12 @@ struct FloorSpectra;
 /// Period; pseudo-acceleration of the ground and of every floor.
 std::string floor_spectra_csv(const FloorSpectra& spectra);
 std::string energy_csv(const RunResult& run);
+/// Of both signs, with their times: a row a storey.
+std::string storeys_csv(const RunResult& run);
+/// The deepest overlap and the mean of what touches, over the smaller block's width.
+std::string overlap_csv(const RunResult& run);
+/// Period; pseudo-acceleration and displacement of the motion.
+std::string spectrum_csv(const MotionSheet& motion);
 /// A row a run: its verdict and metrics.
 std::string ensemble_csv(const EnsembleSheet& ensemble);
 /// Roof displacement over height, a column a run; empty once a storey of it was lost.

@@ -104,7 +104,8 @@ std::vector<NamedFigure> all_figures(const RunResult& run) {
                    weight_figure(run.model, run.weight_joints)});
   if (!run.weight_joints.empty())
     out.push_back({"load_path",
-                   "The building at rest; every joint coloured by the force that it presses with.",
+                   "The building at rest; lines from block to block through their joints, as wide as the "
+                   "force that they press with.",
                    load_path_figure(run.model, run.weight_joints)});
   add_motion(run, out);
   add_response(run, out);
@@ -119,6 +120,10 @@ std::vector<NamedFigure> all_figures(const RunResult& run) {
     out.push_back({"joints", "The building at rest; every joint coloured by how far it opened or slid.",
                    moved_joints_figure(run.model, run.moved_joints)});
   add_loops_and_floors(run, out);
+  if (has_end_load_path(run))
+    out.push_back({"load_path_end",
+                   "The building at the end of the run; lines from block to block that press each other.",
+                   end_load_path_figure(run)});
   if (run.collapse.happened())
     out.push_back(
         {"mass_lost", "Part of each storey's mass that was lost, against time.", mass_lost_figure(run)});

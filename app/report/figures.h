@@ -19,6 +19,9 @@ Figure drift_profile_figure(const RunResult& run);
 Figure floor_profiles_figure(const RunResult& run);
 /// Every bonded face by the time at which it left its elastic range. Needs one that did.
 Figure damage_figure(const RunResult& run);
+/// How the load goes from block to block at the end of the run, the blocks where they are then.
+Figure end_load_path_figure(const RunResult& run);
+bool has_end_load_path(const RunResult& run);
 Figure drift_histories_figure(const RunResult& run);
 Figure roof_and_base_shear_figure(const RunResult& run);
 /// Of each storey over time. Needs a lost block.

@@ -264,14 +264,21 @@ Figure energy_figure(const RunResult& run) {
 }
 
 Figure overlap_figure(const RunResult& run) {
-  Stack stack{"Deepest overlap between blocks, over the smaller block's width",
+  const Numerics& n = run.numerics;
+  const auto times = output_times(run);
+  const bool means = n.mean_overlap_ratio.size() == times.size();
+  Stack stack{"Overlap between blocks, over the smaller block's width",
               run_line(run),
               "Time, t (s)",
-              time_range(output_times(run)),
+              time_range(times),
               {},
-              30};
-  stack.panels = {history_panel(
-      output_times(run), {"Overlap ratio (%)", &run.numerics.overlap_ratio, 100.0, "%"}, category(0), 130)};
+              means ? 70 : 30};
+  Panel panel = history_panel(times, {"Overlap ratio (%)", &n.overlap_ratio, 100.0, "%"}, category(0), 130);
+  if (means) {
+    panel.curves.front().end_label = "deepest";
+    panel.curves.push_back({times, scaled(n.mean_overlap_ratio, 100.0), category(1), 1.0, false, "mean"});
+  }
+  stack.panels = {panel};
   return stacked(stack);
 }
 

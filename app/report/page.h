@@ -29,6 +29,9 @@ Html page_numerics(const RunResult& run, const std::vector<Picture>& pictures);
 Html page_limits(const RunResult& run);
 Html page_reproducibility(const RunResult& run);
 
+/// "0.1 % of the input until ..., 0.2 % of the input in all, 0.01 % of the energy turned over".
+std::string energy_error_words(const RunResult& run);
+
 /// The figure of that name, or nothing.
 Html figure_named(const std::vector<Picture>& pictures, std::string_view name, std::string_view caption,
                   const std::vector<std::string>& links = {});

@@ -132,10 +132,11 @@ Html numbers_caveat(const RunResult& run) {
     return paragraph("With small changes of the building and the motion it " + collapse_text(run.ensemble) +
                      "; " + drift_spread_text(run.ensemble) + ".");
   if (run.verdict.kind != VerdictKind::numerically_invalid) {
+    const std::string half = half_step_text(run.ensemble);
     return paragraph(
         "Single run: no spread computed. How far these numbers would move under small changes is not known "
-        "from "
-        "this run.",
+        "from this run." +
+            (half.empty() ? "" : " With half the step: " + half + "."),
         "quiet small");
   }
   return raw("<p class=\"bad\">") +

@@ -118,6 +118,14 @@ Html voids_part(const Collapse& c) {
                      rows);
 }
 
+Html load_at_the_end(const std::vector<Picture>& pictures) {
+  return figure_named(
+      pictures, "figures/load_path_end.svg",
+      "The load path at the end of the run: what presses what, the blocks where they are then; "
+      "pale outlines: where they stood. That before the motion is under The building.",
+      {"figures/load_path_end.svg", "figures/load_path_end.png", "load_path_end.csv"});
+}
+
 const char* why_untold(const RunResult& run) {
   if (run.verdict.kind == structures::VerdictKind::numerically_invalid)
     return "Not told: the numbers failed, so nothing is said of a fall.";
@@ -133,13 +141,14 @@ Html page_collapse(const RunResult& run, const std::vector<Picture>& pictures) {
   if (!c.happened())
     return paragraph(why_untold(run)) +
            (c.first_touch ? paragraph("The neighbours touched first at " + seconds(*c.first_touch) + ".")
-                          : Html{});
+                          : Html{}) +
+           load_at_the_end(pictures);
   return paragraph("Mode: " + to_string(c.mode) + ", " + meaning_of(c.mode) + ".") + list(c.reasons) +
          times_table(c) + heading3("What gave way, in order") + sequence_table(run) +
          figure_named(pictures, "figures/mass_lost.svg", "Part of each storey's mass that was lost.",
                       {"figures/mass_lost.svg", "figures/mass_lost.png", "mass_lost.csv"}) +
-         heading3("Where the debris lies") + footprint_table(c.footprint) + heading3("How hard it hit") +
-         hits_table(run) + heading3("Remaining voids") + voids_part(c) +
+         load_at_the_end(pictures) + heading3("Where the debris lies") + footprint_table(c.footprint) +
+         heading3("How hard it hit") + hits_table(run) + heading3("Remaining voids") + voids_part(c) +
          paragraph(
              "All events: collapse_sequence.csv; all hits: falls.csv. The definitions are those of "
              "docs/theory/response.md.",

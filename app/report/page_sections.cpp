@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-
 #include <cmath>
 
 #include "app/report/page.h"
@@ -185,61 +184,6 @@ Html loss_table(const RunResult& run) {
   return table(shown, {{"Time", "", false}, {"Block", "", false}, {"How", "", false}}, rows);
 }
 
-// ---- numbers ----
-
-std::string microseconds(double time) {
-  return significant(1e6 * time, 3) + " µs";
-}
-
-// The step follows the contacts: the bound is that of the start.
-std::string step_words(const Numerics& n) {
-  std::string words = microseconds(n.step);
-  if (n.step_reductions > 0 && n.steps > 0)
-    words += " at the shortest, " + microseconds(n.end_time / static_cast<double>(n.steps)) + " in the mean";
-  if (std::isinf(n.bound)) return words + ", not bounded by stability";
-  if (!(n.bound > 0.0)) return words + ", no bound known";
-  if (n.step_reductions > 0) return words + "; bound at the start " + microseconds(n.bound);
-  return words + ", " + fixed(n.step / n.bound, 2) + " of the bound " + microseconds(n.bound);
-}
-
-std::string outcome_words(const Numerics& n) {
-  std::string words = n.outcome + ", " + seconds(n.end_time) + " of " + seconds(n.asked_time);
-  return n.outcome_detail.empty() ? words : words + " (" + n.outcome_detail + ")";
-}
-
-std::string overlap_words(const Numerics& n) {
-  std::string words = length(n.deepest_overlap) + ", " + significant(100 * n.deepest_overlap_ratio, 2) +
-                      " % of the smaller block's width";
-  return n.deepest_overlap_where.empty() ? words : words + "; " + n.deepest_overlap_where;
-}
-
-std::string energy_error_words(const RunResult& run) {
-  const EnergyHistory& e = run.energy;
-  const std::string standing = run.response.first_loss_of_support
-                                   ? significant(100 * e.standing_error, 2) +
-                                         " % of the input until the first block lost its support, "
-                                   : "";
-  return fmt::format("{}{} % of the input in all, {} % of the energy turned over", standing,
-                     significant(100 * e.input_error, 2), significant(100 * e.relative_error, 2));
-}
-
-Html numerics_table(const RunResult& run) {
-  const Numerics& n = run.numerics;
-  return table("", {{"Quantity", "", false}, {"Value", "", false}},
-               {{"Outcome", outcome_words(n)},
-                {"Integrator", n.integrator},
-                {"Step", step_words(n)},
-                {"Steps", std::to_string(n.steps) + ", " + plural(n.step_reductions, "reduction")},
-                {"Energy error", energy_error_words(run)},
-                {"Deepest overlap", overlap_words(n)}});
-}
-
-Html warning_list(const RunResult& run) {
-  if (run.numerics.warnings.empty()) return raw("<p class=\"fine\">No warnings.</p>\n");
-  return raw("<p class=\"bad\">") + text(plural(run.numerics.warnings.size(), "warning") + ":") +
-         raw("</p>\n") + list(run.numerics.warnings);
-}
-
 }  // namespace
 
 Html page_model(const RunResult& run, const std::vector<Picture>& pictures) {
@@ -265,7 +209,7 @@ Html page_motion(const RunResult& run, const std::vector<Picture>& pictures) {
       pictures, "spectrum",
       "Pseudo-acceleration (left) and displacement (right, thin) of a 5 % damped oscillator; dashed: the "
       "building's period.",
-      "");
+      "spectrum.csv");
   out += named_values("Where the record comes from", "Item", run.motion.provenance) +
          heading3("Processing, in order");
   return out + (run.motion.processing.empty() ? paragraph("None: the motion was applied as found.")
@@ -275,9 +219,10 @@ Html page_motion(const RunResult& run, const std::vector<Picture>& pictures) {
 Html page_response(const RunResult& run, const std::vector<Picture>& pictures) {
   Html out = run.response.storeys.empty() ? paragraph("The building has no storeys, so no drift is measured.")
                                           : drift_table(run) + base_words(run) + acceleration_table(run);
-  out += plot(
-      pictures, "floor_profiles",
-      "Dashed verticals: the drift limits nearest to what was found (screening, not code compliance).", "");
+  out +=
+      plot(pictures, "floor_profiles",
+           "Dashed verticals: the drift limits nearest to what was found (screening, not code compliance).",
+           "storeys.csv");
   out += building_table(run) + heading3("Blocks lost") + loss_table(run);
   out += plot(pictures, "drift_histories",
               "Each storey on its own axis, all on one time axis. A lost storey's drift is frozen at its "
@@ -318,14 +263,6 @@ Html page_film(const RunResult& run, const std::vector<Picture>& pictures) {
   return strip.code.empty() ? paragraph("No positions were stored in this run" +
                                         std::string(run.partial ? ", which was interrupted." : "."))
                             : strip;
-}
-
-Html page_numerics(const RunResult& run, const std::vector<Picture>& pictures) {
-  return warning_list(run) + numerics_table(run) +
-         plot(pictures, "overlap",
-              "How deep blocks were pressed into each other, against the smaller block's width.", "") +
-         paragraph(run.ensemble.half_step.done ? "What half the step changes stands under How sure."
-                                               : "Not done in this run: a second run with half the step.");
 }
 
 Html page_limits(const RunResult& run) {

@@ -69,10 +69,12 @@ Html page_spread(const RunResult& run, const std::vector<Picture>& pictures) {
   const EnsembleSheet& e = run.ensemble;
   if (e.members.size() < 2)
     return paragraph(
-        "Not known from this run: it was made once. Blocks that slide or rock move chaotically, so small "
-        "changes "
-        "of the building or of the step may change the numbers, and near a collapse the verdict. "
-        "ensemble.n = 16 runs it again with small changes.");
+        "Not known from this run: the building was shaken once. Blocks that slide or rock move chaotically, "
+        "so "
+        "small changes of the building or of the step may change the numbers, and near a collapse the "
+        "verdict. "
+        "ensemble.n = 16 runs it again with small changes." +
+        (e.half_step.done ? " With half the step: " + half_step_text(e) + "." : std::string()));
   Html out = paragraph("The building " + collapse_text(e) + ".");
   const std::string words = advice(e);
   if (!words.empty()) out += paragraph(words);

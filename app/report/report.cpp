@@ -31,9 +31,13 @@ void write_tables(const RunResult& run, Output& output) {
   output.write("acceleration.csv", acceleration_csv(run));
   output.write("roof_and_base_shear.csv", roof_and_base_shear_csv(run));
   output.write("energy.csv", energy_csv(run));
+  output.write("storeys.csv", storeys_csv(run));
+  output.write("overlap.csv", overlap_csv(run));
+  if (!run.motion.spectrum_psa.empty()) output.write("spectrum.csv", spectrum_csv(run.motion));
   if (!run.model.bonded.empty()) output.write("damage.csv", damage_csv(run));
   output.write("motion.csv", motion_csv(run));
   if (!run.weight_joints.empty()) output.write("weight_joints.csv", weight_joints_csv(run.weight_joints));
+  if (!run.end_joints.empty()) output.write("load_path_end.csv", weight_joints_csv(run.end_joints));
   if (!run.moved_joints.empty()) output.write("joints.csv", moved_joints_csv(run.moved_joints));
   if (const FloorSpectra spectra = floor_spectra(run); !spectra.floors.empty())
     output.write("floor_spectra.csv", floor_spectra_csv(spectra));

@@ -113,6 +113,11 @@ void walk_weight(A& a, J& joints) {
     a.column("tension", "Pa", joints, &WeightJoint::tension);
     a.column("used", "1", joints, &WeightJoint::used);
     a.column("limit", "", joints, &WeightJoint::limit);
+    a.optional_column("a", "", joints, &WeightJoint::a);
+    a.optional_column("b", "", joints, &WeightJoint::b);
+    a.optional_column("through", "m", joints, &WeightJoint::through);
+    a.optional_column("stiffness", "N/m", joints, &WeightJoint::stiffness);
+    a.optional_column("blocks_stiffness", "N/m", joints, &WeightJoint::blocks_stiffness);
   });
 }
 
@@ -306,6 +311,7 @@ void walk_numerics(A& a, R& numerics) {
   a.field("deepest_overlap_ratio", "1", numerics.deepest_overlap_ratio);
   a.field("deepest_overlap_where", "", numerics.deepest_overlap_where);
   a.field("overlap_ratio", "1", numerics.overlap_ratio);
+  a.optional_field("mean_overlap_ratio", "1", numerics.mean_overlap_ratio);
   a.field("warnings", "", numerics.warnings);
 }
 
@@ -361,6 +367,7 @@ void walk_run(A& a, Run& run) {
     a.field("unbalanced_ratio", "1", run.settle.unbalanced_ratio);
   });
   a.optional_group("weight", [&] { walk_weight(a, run.weight_joints); });
+  a.optional_group("end", [&] { walk_weight(a, run.end_joints); });
   a.optional_group("joints", [&] { walk_moved_joints(a, run.moved_joints); });
   a.group("trajectory", [&] { walk_trajectory(a, run.trajectory); });
   a.group("response", [&] { walk_response(a, run.response); });

@@ -74,4 +74,17 @@ std::string drift_spread_text(const EnsembleSheet& ensemble) {
   return text;
 }
 
+std::string half_step_text(const EnsembleSheet& e) {
+  if (!e.half_step.done || e.members.empty() || e.metrics.empty()) return "";
+  const EnsembleMember &half = e.half_step, &described = e.members.front();
+  const auto print = [&](const EnsembleMember& member) {
+    return metric_text(e.metrics[0], e.units[0], member.values.at(0));
+  };
+  const std::string verdict =
+      half.verdict == described.verdict
+          ? "the same verdict (" + structures::to_string(half.verdict) + ")"
+          : structures::to_string(half.verdict) + " instead of " + structures::to_string(described.verdict);
+  return fmt::format("{} {} instead of {}, {}", e.metrics[0], print(half), print(described), verdict);
+}
+
 }  // namespace dougong::app

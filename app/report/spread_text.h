@@ -28,4 +28,7 @@ std::string collapse_text(const EnsembleSheet& ensemble);
 /// "peak drift 2.1 to 3.4 % (16 to 84 % of 16 runs), numerical error 0.02 %"
 std::string drift_spread_text(const EnsembleSheet& ensemble);
 
+/// "peak drift 41.2 % instead of 38.7 %, the same verdict (collapsed)"; empty where it was not run.
+std::string half_step_text(const EnsembleSheet& ensemble);
+
 }  // namespace dougong::app

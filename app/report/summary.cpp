@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 #include "app/report/spread_text.h"
 #include "app/report/weight_joints_report.h"
@@ -179,6 +180,23 @@ Json energy_part(const EnergyHistory& energy) {
           {"input_error", metric(energy.input_error, "1")}};
 }
 
+double mean_of(const std::vector<double>& values) {
+  const double sum = std::accumulate(values.begin(), values.end(), 0.0);
+  return values.empty() ? 0.0 : sum / static_cast<double>(values.size());
+}
+
+Json half_step_part(const EnsembleSheet& ensemble) {
+  if (!ensemble.half_step.done) return nullptr;
+  Json metrics = Json::array();
+  const EnsembleMember &described = ensemble.members.front(), &half = ensemble.half_step;
+  for (std::size_t i = 0; i < std::min(half.values.size(), ensemble.metrics.size()); ++i)
+    metrics.push_back({{"name", ensemble.metrics[i]},
+                       {"unit", ensemble.units[i]},
+                       {"described", number(described.values.at(i))},
+                       {"half_step", number(half.values[i])}});
+  return {{"verdict", structures::to_string(half.verdict)}, {"metrics", metrics}};
+}
+
 Json numerics_part(const RunResult& run) {
   const Numerics& n = run.numerics;
   return {{"integrator", n.integrator},
@@ -193,7 +211,9 @@ Json numerics_part(const RunResult& run) {
           {"deepest_overlap", metric(n.deepest_overlap, "m")},
           {"deepest_overlap_ratio", metric(n.deepest_overlap_ratio, "1")},
           {"deepest_overlap_where", n.deepest_overlap_where},
+          {"mean_overlap_ratio", metric(mean_of(n.mean_overlap_ratio), "1")},
           {"settled", run.settle.settled},
+          {"half_step", half_step_part(run.ensemble)},
           {"warnings", n.warnings}};
 }
 

@@ -45,34 +45,17 @@ Figure weight_figure(const ModelSheet& model, const std::vector<WeightJoint>& jo
   return block_figure(model, drawing);
 }
 
-Figure load_path_figure(const ModelSheet& model, const std::vector<WeightJoint>& joints) {
-  double most = 1.0;  // N
-  for (const WeightJoint& joint : joints) most = std::max(most, joint.normal);
-  BlockDrawing drawing;
-  drawing.title = "How the weight goes down";
-  drawing.subtitle = model.layout + ": " + model.title;
-  drawing.fill.assign(model.blocks.size(), mixed(ink::white, ink::block, 0.6));
-  drawing.scale_title = "kN";
-  drawing.scale_end = round_up(most / 1e3);
-  std::vector<const WeightJoint*> ascending;
-  for (const WeightJoint& joint : joints) ascending.push_back(&joint);
-  std::ranges::stable_sort(ascending, {}, &WeightJoint::normal);
-  for (const WeightJoint* joint : ascending)
-    drawing.lines.push_back(
-        {joint->start, joint->end, viridis(std::max(0.0, joint->normal) / 1e3 / drawing.scale_end)});
-  drawing.legend = {"Compression in every joint at rest, before the motion."};
-  return block_figure(model, drawing);
-}
-
 std::string weight_joints_csv(const std::vector<WeightJoint>& joints) {
   std::string out =
       "joint,bonded,start x (m),start y (m),end x (m),end y (m),compression (N),shear (N),eccentricity (1),"
-      "greatest compression (Pa),greatest tension (Pa),used (1),of\n";
+      "greatest compression (Pa),greatest tension (Pa),used (1),of,through x (m),through y (m),"
+      "stiffness (N/m),stiffness of the blocks (N/m)\n";
   for (const WeightJoint& j : joints)
-    out += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_text(j.name), j.bonded ? 1 : 0,
-                       exact(j.start.x), exact(j.start.y), exact(j.end.x), exact(j.end.y), exact(j.normal),
-                       exact(j.shear), exact(j.eccentricity), exact(j.compression), exact(j.tension),
-                       exact(j.used), j.limit);
+    out += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csv_text(j.name),
+                       j.bonded ? 1 : 0, exact(j.start.x), exact(j.start.y), exact(j.end.x), exact(j.end.y),
+                       exact(j.normal), exact(j.shear), exact(j.eccentricity), exact(j.compression),
+                       exact(j.tension), exact(j.used), j.limit, exact(j.through.x), exact(j.through.y),
+                       exact(j.stiffness), exact(j.blocks_stiffness));
   return out;
 }
 
@@ -119,7 +102,8 @@ Html page_weight(const RunResult& run, const std::vector<Picture>& pictures) {
          figure_named(pictures, "figures/weight.svg", "Faces coloured by the use of their nearest limit.",
                       {"figures/weight.svg", "figures/weight.png", "weight_joints.csv"}) +
          figure_named(pictures, "figures/load_path.svg",
-                      "The load path: faces coloured by their compression.",
+                      "The load path: how the weight goes from block to block to the ground. Of an arch it "
+                      "is the line of thrust.",
                       {"figures/load_path.svg", "figures/load_path.png", "weight_joints.csv"}) +
          table(fmt::format("The most used of {}", plural(run.weight_joints.size(), "joint")),
                {{"Joint", "", false},

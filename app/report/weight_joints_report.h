@@ -12,7 +12,7 @@ namespace dougong::app {
 
 /// Every face as a line, coloured by how much of its nearest limit it uses. Needs joints.
 Figure weight_figure(const ModelSheet& model, const std::vector<WeightJoint>& joints);
-/// The same by the force that it presses with: how the weight goes down. Needs joints.
+/// A graph of the blocks: lines through the joints, by the force that they press with. Needs joints.
 Figure load_path_figure(const ModelSheet& model, const std::vector<WeightJoint>& joints);
 std::string weight_joints_csv(const std::vector<WeightJoint>& joints);
 

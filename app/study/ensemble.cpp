@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <limits>
 #include <mutex>
+#include <numeric>
 
 #include "app/study/metrics.h"
 #include "app/study/output_times.h"
@@ -31,17 +33,20 @@ std::vector<NamedValue> sheet_of(const Perturbation& p) {
           {"seed", fmt::format("{:.0f}", p.seed), "of the numbers, each uniform within its range"}};
 }
 
-// As it was run, with steps half as long, or a tenth of the tolerance.
-void refine(engine::DriveOptions& drive, double step) {
+// As it was run, with steps half as long, or a tenth of the tolerance. A step that follows the stability
+// bound is to do so at half of its part of it: at the impacts of a collapse too.
+void refine(engine::DriveOptions& drive, const engine::StepPlan& plan) {
   if (engine::traits_of(drive.integrator).adaptive)
     drive.tolerance *= 0.1;
+  else if (drive.step || !std::isfinite(plan.bound))
+    drive.step = 0.5 * plan.step;
   else
-    drive.step = 0.5 * step;
+    drive.step_fraction = 0.5 * std::min(drive.step_fraction, plan.step / plan.bound);
 }
 
 EnsembleMember run_one(const Preparation& described, const Variation& v, const ProgressObserver& go_on) {
   Preparation p = prepare_member(described, v.member);
-  if (v.half_step) refine(p.drive, described.plan.step);
+  if (v.half_step) refine(p.drive, described.plan);
   const RunResult run = execute(p, "", go_on);
   return member_of(run);
 }
@@ -60,6 +65,10 @@ void keep_roof_drift(const structures::Response& response, EnsembleMember& membe
 }
 
 }  // namespace
+
+std::size_t runs_of(const Scenario& scenario) {
+  return static_cast<std::size_t>(scenario.ensemble.n) + (scenario.ensemble.half_step ? 1 : 0);
+}
 
 EnsembleMember member_of(const RunResult& run) {
   EnsembleMember member;
@@ -86,18 +95,22 @@ EnsembleSheet run_ensemble(const Preparation& described, const RunResult& run, s
   if (choice.half_step) variations.push_back({0, true});
 
   std::mutex mutex;
-  EnsembleProgress state{0, variations.size()};
+  EnsembleProgress state{0, variations.size(), 0.0};
+  std::vector<double> parts(variations.size());
   std::atomic<bool> stopped{false};
   share_tasks(variations.size(), jobs, [&](std::size_t i) {
     const Variation& v = variations[i];
     if (stopped) return;
-    EnsembleMember member = run_one(described, v, [&](const Progress&) {
+    EnsembleMember member = run_one(described, v, [&](const Progress& now) {
       const std::lock_guard lock(mutex);
+      parts[i] = now.end_time > 0.0 ? now.time / now.end_time : 1.0;
+      state.part = std::accumulate(parts.begin(), parts.end(), 0.0);
       if (progress && !progress(state)) stopped = true;
       return !stopped;
     });
     const std::lock_guard lock(mutex);
     (v.half_step ? sheet.half_step : sheet.members[v.member]) = std::move(member);
+    parts[i] = 0.0;
     ++state.done;
   });
   return sheet;

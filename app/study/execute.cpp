@@ -24,6 +24,7 @@ Numerics numerics_of(const Preparation& p, const engine::RunOutcome& run, const 
   Numerics n = app::numerics_of(p.model, p.state, p.drive, run);
   n.asked_time = p.duration;
   n.overlap_ratio = recorder.overlap_ratio;
+  n.mean_overlap_ratio = recorder.mean_overlap_ratio;
   if (!stands(p) && p.settle.outcome == engine::Outcome::completed)
     n.warnings.push_back(fmt::format("the building did not come to rest under its own weight within {:.1f} s",
                                      p.settle.duration));
@@ -162,7 +163,8 @@ RunResult begun(const Preparation& p, const std::string& command) {
   result.model = model_sheet(p);
   result.motion = motion_sheet(p.motion, p.period);
   result.settle = settle_sheet(p.settle);
-  if (p.settle.settled) result.weight_joints = weight_joints(p.building.scene, p.model, p.state);
+  if (p.settle.settled)
+    result.weight_joints = weight_joints(p.building.scene, p.model, structures::face_loads(p.model, p.state));
   if (!stands(p)) result.verdict = verdict_before_shaking(p);
   return result;
 }
@@ -185,6 +187,10 @@ RunResult gathered(RunResult result, const Preparation& p, const engine::RunOutc
   result.screening = screening_of(p.scenario.screening, p.building, result.response, result.verdict);
   result.moved_joints =
       moved_joints(p.building.scene, p.model, recorder.joints, recorder.trajectory, result.response.losses);
+  if (p.settle.settled && result.verdict.kind != structures::VerdictKind::numerically_invalid)
+    result.end_joints =
+        weight_joints(p.building.scene, p.model,
+                      structures::face_loads(p.model, p.state, engine::frames_of(p.model, p.state)));
   result.model.bonded = std::move(recorder.bonds);
   result.energy = std::move(recorder.energies.energy);
   result.energy.standing_error = standing_error(result.energy, result.response);

@@ -63,6 +63,7 @@ std::vector<Metric> metrics_of(const RunResult& run) {
   const std::size_t whole = metrics.size() - per_storey * run.response.storeys.size();
   metrics.insert(metrics.begin() + static_cast<std::ptrdiff_t>(whole),
                  {{"cracked bonds", "bonds", bonds(run, &DrawnBond::cracked)},
+                  {"crushed bonds", "bonds", bonds(run, &DrawnBond::crushed)},
                   {"broken bonds", "bonds", bonds(run, &DrawnBond::broken)}});
   return metrics;
 }

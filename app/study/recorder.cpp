@@ -36,7 +36,8 @@ void Recorder::note_motion(const engine::Sample& sample, std::span<const engine:
     trajectory.accelerations.push_back(sample.accelerations[i]);
     greatest_speed_ = std::max(greatest_speed_, engine::norm(frames[i].velocity() - ground.velocity));
   }
-  overlap_ratio.push_back(deepest_overlap_ratio(sample.state.contacts.points, frames));
+  const OverlapRatios overlap = overlap_ratios(sample.state.contacts.points, frames);
+  overlap_ratio.push_back(overlap.deepest), mean_overlap_ratio.push_back(overlap.mean);
 }
 
 double Recorder::level_displacement(const std::vector<std::size_t>& blocks) const {

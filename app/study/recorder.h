@@ -19,7 +19,7 @@ class Recorder {
 
   structures::Trajectory trajectory;
   EnergyRecorder energies;
-  std::vector<double> overlap_ratio;
+  std::vector<double> overlap_ratio, mean_overlap_ratio;
   std::vector<DrawnBond> bonds;
   structures::JointForceRecorder joints;  // of a building that settled
 

@@ -125,8 +125,8 @@ struct SettleSheet {
   double unbalanced_ratio = 0.0;   // largest net force over the body's weight
 };
 
-/// What a joint, a bonded face or one where two blocks touch, bears under the weight alone, before the motion
-/// (structures/self_weight.h).
+/// What a joint, a bonded face or one where two blocks touch, bears (structures/self_weight.h): under the
+/// weight alone before the motion, or at its end.
 struct WeightJoint {
   std::string name;  // "S1.column.left / ground"
   bool bonded = false;
@@ -136,6 +136,10 @@ struct WeightJoint {
   double compression = 0.0, tension = 0.0;  // Pa, the greatest
   double used = 0.0;                        // of its nearest limit
   std::string limit = {};                   // which that is
+  std::size_t a = 0, b = 0;                 // numbered as in DrawnLink; equal: unknown
+  engine::Vec2 through = {};                // m, where N passes
+  double stiffness = 0.0;                   // N/m, against closing
+  double blocks_stiffness = 0.0;            // N/m, of what it joins; 0 at a corner
 };
 
 /// How far a joint opened and slid during the motion, and what it bore (structures/joint_response.h).
@@ -158,12 +162,13 @@ struct Numerics {
   std::size_t step_reductions = 0;
   std::string outcome;  // "completed", "diverged", "stopped by criterion", "interrupted"
   std::string outcome_detail;
-  double end_time = 0.0;               // s, reached
-  double asked_time = 0.0;             // s, asked for
-  double deepest_overlap = 0.0;        // m
-  double deepest_overlap_ratio = 0.0;  // over the smaller block's minimum width
-  std::string deepest_overlap_where;   // "S1.column.left / ground at 3.21 s"
-  std::vector<double> overlap_ratio;   // one entry an output time
+  double end_time = 0.0;                   // s, reached
+  double asked_time = 0.0;                 // s, asked for
+  double deepest_overlap = 0.0;            // m
+  double deepest_overlap_ratio = 0.0;      // over the smaller block's minimum width
+  std::string deepest_overlap_where;       // "S1.column.left / ground at 3.21 s"
+  std::vector<double> overlap_ratio;       // the deepest, one entry an output time
+  std::vector<double> mean_overlap_ratio;  // of the points that touch; empty in older files
   std::vector<std::string> warnings;
 };
 
@@ -212,6 +217,7 @@ struct RunResult {
   MotionSheet motion;
   SettleSheet settle;
   std::vector<WeightJoint> weight_joints;  // the most used first; empty where it did not settle
+  std::vector<WeightJoint> end_joints;     // the same at the end of the run
   std::vector<MovedJoint> moved_joints;    // those that opened or slid farthest first; empty as well
   structures::Trajectory trajectory;       // of a building: at the states kept (output_times.h)
   structures::Response response;

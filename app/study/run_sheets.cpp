@@ -128,11 +128,18 @@ void EnergyRecorder::note(const engine::Model& model, const engine::State& state
   energy.relative_error = turnover_.relative_error();
 }
 
-double deepest_overlap_ratio(const engine::ContactPoints& points, std::span<const engine::Frame> frames) {
-  double deepest = 0.0;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    deepest = std::max(deepest, engine::geometry_of(points, i, frames).overlap * points.inverse_width(i));
-  return deepest;
+OverlapRatios overlap_ratios(const engine::ContactPoints& points, std::span<const engine::Frame> frames) {
+  OverlapRatios found;
+  std::size_t touching = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double ratio = engine::geometry_of(points, i, frames).overlap * points.inverse_width(i);
+    if (!(ratio > 0.0)) continue;
+    found.deepest = std::max(found.deepest, ratio);
+    found.mean += ratio;
+    ++touching;
+  }
+  if (touching > 0) found.mean /= static_cast<double>(touching);
+  return found;
 }
 
 DrawnShape drawn_shape(const engine::Body& body, const engine::Scene& scene) {

@@ -24,8 +24,11 @@ class EnergyRecorder {
   engine::EnergyTurnover turnover_;
 };
 
-/// Deepest overlap of now over the smaller body's least width.
-double deepest_overlap_ratio(const engine::ContactPoints& points, std::span<const engine::Frame> frames);
+/// Overlap of now over the smaller body's least width: the deepest, and the mean of the points that touch.
+struct OverlapRatios {
+  double deepest = 0.0, mean = 0.0;
+};
+OverlapRatios overlap_ratios(const engine::ContactPoints& points, std::span<const engine::Frame> frames);
 
 /// A body or terrain as it is drawn, where the scene describes it.
 DrawnShape drawn_shape(const engine::Body& body, const engine::Scene& scene);

@@ -191,7 +191,7 @@ std::vector<ScenarioKey> make_table() {
       number("ensemble.n", slot<&S::ensemble, &E::n>, count, 1, 10000,
              "runs in all: as described, and with small changes; 1: a single run"),
       flag("ensemble.half_step", slot<&S::ensemble, &E::half_step>,
-           "with more than one run: once more with half the step, for the numerical error"),
+           "once more with half the step, for the numerical error"),
       number("ensemble.position_change", perturbation<&P::position>, length, 0, 1,
              "changes sideways of where each block, or tied part, stands, up to this"),
       number("ensemble.friction_change", perturbation<&P::friction>, ratio, 0, 1,

@@ -75,8 +75,10 @@ class SceneRecorder {
     note_terrains(sample);
     for (std::string& text : rocking_.look(p_.model, sample.state)) warnings_.push_back(std::move(text));
     energies_.note(p_.model, sample.state);
-    out_.run.numerics.overlap_ratio.push_back(
-        deepest_overlap_ratio(sample.state.contacts.points, engine::frames_of(p_.model, sample.state)));
+    const OverlapRatios overlap =
+        overlap_ratios(sample.state.contacts.points, engine::frames_of(p_.model, sample.state));
+    out_.run.numerics.overlap_ratio.push_back(overlap.deepest);
+    out_.run.numerics.mean_overlap_ratio.push_back(overlap.mean);
   }
 
   SceneProgress progress() const {

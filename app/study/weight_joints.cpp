@@ -14,13 +14,13 @@ std::string name_of(const structures::FaceLoad& face, const engine::Scene& scene
 }  // namespace
 
 std::vector<WeightJoint> weight_joints(const engine::Scene& scene, const engine::Model& model,
-                                       const engine::State& state) {
-  const std::vector<structures::FaceLoad> faces = structures::face_loads(model, state);
+                                       const std::vector<structures::FaceLoad>& faces) {
   std::vector<WeightJoint> joints;
   for (const std::size_t i : structures::by_use(faces)) {
     const structures::FaceLoad& f = faces[i];
     joints.push_back({name_of(f, scene, model), f.bonded, f.start, f.end, f.normal, f.shear, f.eccentricity,
-                      f.compression, f.tension, f.used, to_string(f.limit)});
+                      f.compression, f.tension, f.used, to_string(f.limit), f.a, f.b, f.through, f.stiffness,
+                      f.blocks_stiffness});
   }
   return joints;
 }

@@ -7,9 +7,9 @@
 
 namespace dougong::app {
 
-/// The most used first. `state` is at rest under the weight.
+/// `faces` by name, the most used first.
 std::vector<WeightJoint> weight_joints(const engine::Scene& scene, const engine::Model& model,
-                                       const engine::State& state);
+                                       const std::vector<structures::FaceLoad>& faces);
 
 /// The more of its widest opening and its farthest slip (m).
 double movement(const MovedJoint& joint);

@@ -42,6 +42,19 @@ TEST(SelfWeight, OfAStackIsItsWeightOverItsArea) {
   EXPECT_NEAR(norm(foot.end - foot.start), 2 * b, 1e-3);
 }
 
+// A dry joint is as stiff as its blocks, columns between their centroids (the ground is rigid): E A / h at
+// the foot, E A / 2 h between two.
+TEST(SelfWeight, ADryJointIsAsStiffAsItsBlocks) {
+  const double b = 0.4, h = 0.5, modulus = 1e9;
+  const auto faces = at_rest(scenes::column(3, b, h, 0.7, modulus));
+  for (const auto& [face, expected] : {std::pair{between(faces, 0, 3), modulus * 2 * b / h},
+                                       std::pair{between(faces, 0, 1), modulus * 2 * b / (2 * h)}}) {
+    expect_relative("weight", "stiffness of a joint (N/m)", expected, face.stiffness, 1e-3);
+    expect_relative("weight", "of its blocks (N/m)", expected, face.blocks_stiffness, 1e-3);
+    EXPECT_NEAR(face.through.x, 0.0, 1e-6);
+  }
+}
+
 // Forces lambda W at half the height: e = lambda n h, e' = lambda n h/b; friction lambda/mu. Beyond e' = 1/3
 // the face opens and its stress is 4/3 of the mean over what is left.
 TEST(SelfWeight, OfAPushedStackPassesWhereStaticsSays) {
@@ -56,6 +69,8 @@ TEST(SelfWeight, OfAPushedStackPassesWhereStaticsSays) {
     const double eccentricity = lambda * 3 * h / b;
     const double mean = 3 * weights[0] / (2 * b);
     expect_relative("weight", "eccentricity of a pushed stack", eccentricity, foot.eccentricity, 2e-3);
+    if (eccentricity <= 1.0 / 3.0)
+      expect_relative("weight", "where the force passes (m)", lambda * 3 * h, foot.through.x, 2e-3);
     expect_relative("weight", "its shear (N)", lambda * 3 * weights[0], std::abs(foot.shear), 2e-3);
     const double peak = eccentricity <= 1.0 / 3.0 ? 1 + 3 * eccentricity : 4.0 / 3.0 / (1 - eccentricity);
     expect_relative("weight", "its greatest stress (Pa)", peak * mean, foot.compression, 0.01);

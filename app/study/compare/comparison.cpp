@@ -76,10 +76,6 @@ const ComparedRun* Comparison::find(View view, std::size_t variant, std::size_t 
   return nullptr;
 }
 
-std::size_t runs_of(const Scenario& scenario) {
-  return static_cast<std::size_t>(scenario.ensemble.n) + (scenario.ensemble.half_step ? 1 : 0);
-}
-
 void run_cases(Comparison& comparison, const std::vector<Case>& cases, const fs::path& records,
                std::size_t jobs, const std::string& command, const RunStore& store,
                const EnsembleObserver& progress) {

@@ -38,9 +38,6 @@ struct RunStore {
   std::function<void(const Case&, const RunResult&)> save;
 };
 
-/// Runs that a case costs: members, and the one with half the step.
-std::size_t runs_of(const Scenario& scenario);
-
 /// `comparison` has its variants, records and views; its runs are filled. command: kept with the results.
 /// Throws as prepare() and as the store does.
 void run_cases(Comparison& comparison, const std::vector<Case>& cases, const std::filesystem::path& records,

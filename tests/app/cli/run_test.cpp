@@ -70,6 +70,17 @@ TEST_F(Run, PipedOutputIsPlainAndSaysTheAnswer) {
   EXPECT_THAT(ran.out, Not(HasSubstr("\r")));
 }
 
+TEST_F(Run, IsMadeAgainWithHalfTheStepUnlessToldNotTo) {
+  const Ran ran = run(short_run("out"));
+  EXPECT_THAT(ran.out, HasSubstr("half step    peak drift"));
+  EXPECT_LT(ran.out.find("Survived"), ran.out.find("Running once more")) << "the answer does not wait";
+  EXPECT_EQ(summary("out").at("numerics").at("half_step").at("verdict"), "survived");
+  EXPECT_THAT(run({"report", "out"}).out, HasSubstr("half step    peak drift"));
+  const Ran alone = run(short_run("alone", {"--set", "ensemble.half_step=false"}));
+  EXPECT_THAT(alone.out, Not(HasSubstr("half step")));
+  EXPECT_TRUE(summary("alone").at("numerics").at("half_step").is_null());
+}
+
 TEST_F(Run, AnEnsembleSaysHowSureTheAnswerIs) {
   const Ran ran = run(short_run("out", {"--ensemble", "3", "-j", "2"}));
   EXPECT_EQ(ran.exit_code, 0) << ran.err;

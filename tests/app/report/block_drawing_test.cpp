@@ -84,7 +84,7 @@ TEST(WeightJoints, AreTabledInThePrintedUnits) {
 
 TEST(WeightJoints, AreWrittenExactlyAndDrawn) {
   EXPECT_THAT(weight_joints_csv(joints),
-              HasSubstr("\n\"b / c, top\",1,0,1,1,1,10000,0,0.1,20000,1000,0.01,tension\n"));
+              HasSubstr("\n\"b / c, top\",1,0,1,1,1,10000,0,0.1,20000,1000,0.01,tension,0,0,0,0\n"));
   const ModelSheet model = model_sheet(structures::build_layout("column"));
   EXPECT_THAT(weight_figure(model, joints).script, HasSubstr("set label '0.4' at screen"));
 }

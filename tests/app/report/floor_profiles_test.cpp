@@ -1,4 +1,5 @@
 // The figures over the height of a building, of its damage and of its load path.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "app/report/colour.h"
@@ -55,6 +56,43 @@ TEST(DamageMap, ColoursFromTheFirstToTheLastDamage) {
 TEST(LoadPath, EndsItsScaleAboveTheLargestForce) {
   const RunResult run = fixtures::survived();  // 340 kN
   EXPECT_THAT(load_path_figure(run.model, run.weight_joints).script, HasSubstr("set label '400' at screen"));
+}
+
+std::size_t count_of(const std::string& text, const std::string& part) {
+  std::size_t count = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+// A column between a slab and the ground lets the thrust through; the slab's goes by its middle.
+TEST(LoadPath, GoesFromBlockToBlockThroughTheJoints) {
+  const RunResult run = fixtures::survived();
+  const std::string script = load_path_figure(run.model, run.weight_joints).script;
+  EXPECT_THAT(script, HasSubstr("set arrow from -2.85,0 to -2.85,2.8 nohead"));
+  EXPECT_THAT(script, HasSubstr("set arrow from 0,2.8 to -2.85,2.8 nohead"));
+  EXPECT_EQ(count_of(script, " nohead front"), 2u);
+}
+
+TEST(LoadPath, ShowsTensionInItsOwnColour) {
+  RunResult run = fixtures::survived();
+  run.weight_joints[1].normal = -2.5e5;
+  const std::string script = load_path_figure(run.model, run.weight_joints).script;
+  EXPECT_THAT(script, HasSubstr("1 joint in compression, 1 in tension (red)"));
+  EXPECT_EQ(count_of(script, to_hex(ink::lost)), 2u) << "in the column and in the slab";
+}
+
+// The blocks where they are then, relative to the ground.
+TEST(LoadPath, OfTheEndIsDrawnWhereTheBlocksAreThen) {
+  RunResult run = fixtures::survived();
+  ASSERT_TRUE(has_end_load_path(run));
+  const std::size_t last = run.trajectory.times.size() - 1;
+  run.trajectory.ground_displacement[last] = {0.5, 0.0};
+  run.end_joints[0].through.x += 0.5;
+  const auto at = run.trajectory.position(last, 0) - engine::Vec2{0.5, 0.0};
+  EXPECT_THAT(end_load_path_figure(run).script,
+              HasSubstr(fmt::format("set arrow from {:.6g},{:.6g} to -2.85,0 nohead", at.x, at.y)));
+  run.end_joints.clear();
+  EXPECT_FALSE(has_end_load_path(run));
 }
 
 TEST(Spectrum, HasTheDisplacementOnItsRightAxis) {

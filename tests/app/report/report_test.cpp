@@ -182,7 +182,29 @@ TEST(Page, SaysHowSureItIs) {
   EXPECT_THAT(page, HasSubstr("Half the step changes the peak drift by 0.2"));
   EXPECT_THAT(page, HasSubstr("11.30 s"));
   EXPECT_THAT(page, Not(HasSubstr("900 %"))) << "numbers that failed are no part of a spread";
-  EXPECT_THAT(report_page(fixtures::survived(), {}), HasSubstr("Not known from this run: it was made once."));
+  EXPECT_THAT(report_page(fixtures::survived(), {}),
+              HasSubstr("Not known from this run: the building was shaken once."));
+}
+
+TEST(Page, ShowsWhatHalfTheStepChangesOfARunThatWasMadeOnce) {
+  RunResult run = fixtures::repeated();
+  run.ensemble.members.resize(1);
+  run.ensemble.half_step.verdict = structures::VerdictKind::survived;
+  const std::string page = report_page(run, {});
+  EXPECT_THAT(page, HasSubstr("With half the step: peak drift 3.30 % instead of 3.10 %, survived instead of "
+                              "collapsed."));
+  EXPECT_THAT(page, HasSubstr("6.5 %")) << "0.033 / 0.031";
+  run.ensemble.half_step.verdict = structures::VerdictKind::collapsed;
+  EXPECT_THAT(report_page(run, {}), HasSubstr("the same verdict (collapsed)"));
+  run.ensemble.half_step.done = false;
+  EXPECT_THAT(report_page(run, {}), HasSubstr("Not done in this run: a second run with half the step."));
+}
+
+TEST(Page, HoldsTheStiffnessUsedAgainstThatOfTheBlocks) {
+  const std::string page = report_page(fixtures::survived(), {});
+  EXPECT_THAT(page, HasSubstr("2.00 to 2.00 GN/m over 1 face; 1.00 to 1.00 times that of the blocks"));
+  EXPECT_THAT(page, HasSubstr("0.500 to 0.500 GN/m over 1 face; 0.250 to 0.250 times"));
+  EXPECT_THAT(page, HasSubstr("0.012 % of the smaller block")) << "the mean overlap";
 }
 
 TEST(Page, SaysTheVerdictTheNumbersAndThatThereIsNoSpread) {

@@ -232,6 +232,21 @@ TEST(Csv, EveryTableHasItsHeaderAndRows) {
   EXPECT_EQ(cells(energy_csv({})).size(), 1u);
 }
 
+TEST(Csv, HoldsWhatTheProfilesTheSpectrumAndTheOverlapsAreDrawnFrom) {
+  RunResult run = fixtures::survived();
+  const auto storeys = cells(storeys_csv(run));
+  ASSERT_EQ(storeys.size(), 1 + run.response.storeys.size());
+  EXPECT_EQ(number(storeys[1][2]), run.response.storeys[0].peak_drift.positive.value);
+  EXPECT_EQ(number(storeys[2][10]), run.response.storeys[1].peak_acceleration.positive.time);
+  run.motion.spectrum_periods = {0.5, 1.0}, run.motion.spectrum_psa = {4.0, 2.0};
+  const auto spectrum = cells(spectrum_csv(run.motion));
+  EXPECT_NEAR(number(spectrum[2][2]), 2.0 / (4.0 * std::numbers::pi * std::numbers::pi), 1e-15)
+      << "Sd = PSa (T / 2 pi)^2";
+  const auto overlaps = cells(overlap_csv(run));
+  EXPECT_EQ(number(overlaps[1][1]), run.numerics.overlap_ratio[0]);
+  EXPECT_EQ(number(overlaps[1][2]), 1.2e-4);
+}
+
 TEST(Csv, FloorSpectraHaveTheGroundAndEveryFloor) {
   const RunResult run = fixtures::survived();
   const auto rows = cells(floor_spectra_csv(floor_spectra(run)));

@@ -1,5 +1,6 @@
 #include "app/study/ensemble.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -44,6 +45,19 @@ TEST(Ensemble, BeginsWithTheRunDescribedAndGoesOnWithOthers) {
   const auto hashes = hashes_of(sheet);
   EXPECT_EQ(std::set<std::string>(hashes.begin(), hashes.end()).size(), 4u);
   EXPECT_NE(sheet.half_step.state_hash, sheet.members[0].state_hash);
+}
+
+// Of the stability bound it keeps half the part, so that it is half the step whatever the bound becomes; a
+// step that was asked for is halved itself.
+TEST(Ensemble, HalvesTheStepAsItWasChosen) {
+  const auto hash_with = [](const std::string& word) {
+    Preparation p = prepared_drum({word});
+    return execute(p, "").reproducibility.state_hash;
+  };
+  const engine::StepPlan plan = prepared_drum({"solve.step_fraction=0.4"}).plan;
+  EXPECT_EQ(ensemble_of({"solve.step_fraction=0.4"}, 1).half_step.state_hash,
+            hash_with(fmt::format("solve.step_fraction={}", 0.5 * plan.step / plan.bound)));
+  EXPECT_EQ(ensemble_of({"solve.step=0.01 ms"}, 1).half_step.state_hash, hash_with("solve.step=0.005 ms"));
 }
 
 TEST(Ensemble, KeepsTheRoofDriftOfEveryRunOverTime) {

@@ -26,6 +26,31 @@ TEST(Execute, EveryHistoryHasOneEntryAnOutputTime) {
   EXPECT_EQ(r.numerics.overlap_ratio.size(), n);
 }
 
+TEST(Execute, KeepsTheMeanOverlapBesideTheDeepest) {
+  Preparation p = prepared_drum();
+  const Numerics n = execute(p, "").numerics;
+  ASSERT_EQ(n.mean_overlap_ratio.size(), n.overlap_ratio.size());
+  for (std::size_t i = 0; i < n.overlap_ratio.size(); ++i)
+    EXPECT_LE(n.mean_overlap_ratio[i],
+              n.overlap_ratio[i] * (1.0 + 1e-12));  // a mean of equal ones is rounded
+  EXPECT_GT(n.mean_overlap_ratio.front(), 0.0);
+}
+
+// Not shaken, so the load goes at the end as it did at the start.
+TEST(Execute, KeepsTheLoadPathOfTheStartAndOfTheEnd) {
+  Preparation p = prepared({"layout=column", "drums=3", "duration=1 s", "pga=0.0001 g"});
+  const RunResult r = execute(p, "");
+  ASSERT_EQ(r.weight_joints.size(), 3u);
+  ASSERT_EQ(r.end_joints.size(), 3u);
+  for (const WeightJoint& at_rest : r.weight_joints) {
+    const auto end = std::ranges::find(r.end_joints, at_rest.name, &WeightJoint::name);
+    ASSERT_NE(end, r.end_joints.end()) << at_rest.name;
+    EXPECT_NEAR(end->normal, at_rest.normal, 1e-3 * at_rest.normal);
+    EXPECT_LT(end->a, 3u);
+    EXPECT_NE(end->a, end->b);
+  }
+}
+
 TEST(Execute, KeepsTheStatesAtTheirOwnRateAndWhereSomethingHappened) {
   Preparation p = prepared_drum();
   const RunResult r = execute(p, "");
