@@ -31,6 +31,7 @@ struct RunOptions {
   std::size_t jobs = 0;          // runs at a time; 0: one a processor
   bool force = false;
   bool json = false;
+  bool pdf = false;  // report.pdf beside report.html
   FilmChoice film;
   std::string command;  // as typed
 };
@@ -46,6 +47,7 @@ struct CompareOptions {
   std::string out;                    // folder; empty: SCENARIO-compare in the current folder
   std::size_t jobs = 0;               // runs at a time; 0: one a processor
   bool force = false;
+  bool pdf = false;     // compare.pdf beside compare.html
   std::string command;  // as typed
 };
 /// Variants of a building on the same motions, paired.
@@ -135,6 +137,7 @@ struct ReportOptions {
   std::string directory;
   FilmChoice film;
   bool force = false;  // of the film
+  bool pdf = false;    // report.pdf beside report.html
 };
 int report_command(const ReportOptions& options);
 

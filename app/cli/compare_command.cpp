@@ -8,6 +8,7 @@
 #include "app/cli/compare_text.h"
 #include "app/cli/interrupts.h"
 #include "app/cli/output_folder.h"
+#include "app/cli/pdf_aloud.h"
 #include "app/cli/record_choice.h"
 #include "app/report/comparison_report.h"
 #include "app/report/gnuplot.h"
@@ -128,6 +129,7 @@ int compare_command(const CompareOptions& options) {
       path);
   terminal.line(row("report", (path / files.front()).string()));
   terminal.line(row("files", fmt::format("{} and the runs in {}", files.size(), path.string())));
+  pdf_aloud(path / files.front(), options.pdf, terminal);
   return exit_survived;
 }
 

@@ -57,6 +57,10 @@ void add_film(CLI::App& command, FilmChoice& film) {
       ->check(CLI::IsMember(block_colours()));
 }
 
+void add_pdf(CLI::App& command, bool& pdf) {
+  command.add_flag("--pdf", pdf, "The page as PDF too, where chromium or weasyprint is installed");
+}
+
 void add_run(CLI::App& app, Request& r) {
   CLI::App* run = app.add_subcommand("run", "Shake a building by a record and report what happened");
   run->add_option("scenario", r.run.scenario, "Scenario file (TOML); flags and --set override it");
@@ -74,6 +78,7 @@ void add_run(CLI::App& app, Request& r) {
                   "Standards whose drift limits are looked at: gb50011,fema356 or none (those that fit)");
   run->add_option("-j,--jobs", r.run.jobs, "Runs at a time (one a processor)")->check(CLI::Range(1, 1024));
   add_film(*run, r.run.film);
+  add_pdf(*run, r.run.pdf);
   run->add_option("--out", r.run.out, "Folder for the results (dougong-out)");
   run->add_flag("--force", r.run.force, "Write into a folder that already holds something");
   run->add_flag("--json", r.run.json, "Print summary.json on standard output and nothing else there");
@@ -104,6 +109,7 @@ void add_compare(CLI::App& app, Request& r) {
                    "Also with records scaled to the same Sa(T1, 5 %): auto, where periods differ by 5 %")
       ->check(CLI::IsMember({"auto", "yes", "no"}));
   compare->add_option("-j,--jobs", o.jobs, "Runs at a time (one a processor)")->check(CLI::Range(1, 1024));
+  add_pdf(*compare, o.pdf);
   compare->add_option("--out", o.out, "Folder for the results (SCENARIO-compare)");
   compare->add_flag("--force", o.force, "Write into a folder that already holds something else");
   compare->footer(
@@ -273,6 +279,7 @@ void add_report(CLI::App& app, Request& r) {
   CLI::App* report = app.add_subcommand("report", "Draw the report of a run again, from its results.h5");
   report->add_option("directory", r.report.directory, "Folder of the run")->required();
   add_film(*report, r.report.film);
+  add_pdf(*report, r.report.pdf);
   report->add_flag("--force", r.report.force, "Write over a film that is there already");
   report->footer(
       "Example: dougong report out/strong\n         dougong report out/strong --film strong.mp4 --slow 4");

@@ -6,6 +6,7 @@
 #include "app/cli/film_aloud.h"
 #include "app/cli/interrupts.h"
 #include "app/cli/output_folder.h"
+#include "app/cli/pdf_aloud.h"
 #include "app/cli/record_choice.h"
 #include "app/cli/run_text.h"
 #include "app/cli/terminal.h"
@@ -61,8 +62,8 @@ Preparation prepare_aloud(const Scenario& scenario, const Terminal& terminal) {
 // A report of an earlier run must not stand beside other results.
 void save(const RunResult& result, const fs::path& directory) {
   std::error_code ignored;
-  fs::remove(directory / "report.html", ignored);
-  fs::remove(directory / "summary.json", ignored);
+  for (const char* name : {"report.html", "report.pdf", "summary.json"})
+    fs::remove(directory / name, ignored);
   write_results(result, directory / "results.h5");
 }
 
@@ -180,6 +181,7 @@ int run_command(const RunOptions& options) {
   answer_and_repeat(preparation, jobs_of(options), folder.path(), interrupts, terminal, computed);
   const RunResult result = save_and_reload(computed, folder.path());
   say_files(folder.path(), draw_report(result, folder.path()) + 1, terminal);
+  pdf_aloud(folder.path() / "report.html", options.pdf, terminal);
   film_aloud(result, options.film, terminal);
   if (options.json) print_json(read_file(folder.path() / "summary.json"));
   return exit_code_of(result.verdict.kind);
@@ -193,6 +195,7 @@ int report_command(const ReportOptions& options) {
   say(answer_text(result), terminal);
   say(half_step_line(result), terminal);
   say_files(directory, draw_report(result, directory) + 1, terminal);
+  pdf_aloud(directory / "report.html", options.pdf, terminal);
   film_aloud(result, options.film, terminal);
   return exit_survived;
 }

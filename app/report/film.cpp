@@ -1,11 +1,8 @@
 #include "app/report/film.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 #include "app/report/film_instruments.h"
 #include "app/report/safe_file.h"
@@ -90,15 +87,7 @@ Image film_image(const RunResult& run, const Frame& frame, const SceneView& view
 }
 
 bool can_film() {
-  const char* path = std::getenv("PATH");
-  const std::string folders = path ? path : "";
-  for (std::size_t from = 0; from <= folders.size();) {
-    const std::size_t colon = std::min(folders.find(':', from), folders.size());
-    const fs::path program = fs::path(folders.substr(from, colon - from)) / "ffmpeg";
-    if (::access(program.c_str(), X_OK) == 0) return true;
-    from = colon + 1;
-  }
-  return false;
+  return on_path("ffmpeg");
 }
 
 std::size_t write_film_frames(const RunResult& run, const FilmOptions& options, const fs::path& folder) {

@@ -5,7 +5,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <cstdlib>
 #include <system_error>
 
 namespace dougong::app {
@@ -42,6 +44,19 @@ pid_t start(const FileActions& files, std::vector<std::string>& words) {
 }
 
 }  // namespace
+
+bool on_path(const std::string& program) {
+  const char* path = std::getenv("PATH");
+  const std::string folders = path ? path : "";
+  for (std::size_t from = 0; from <= folders.size();) {
+    const std::size_t colon = std::min(folders.find(':', from), folders.size());
+    const std::filesystem::path candidate =
+        std::filesystem::path(folders.substr(from, colon - from)) / program;
+    if (::access(candidate.c_str(), X_OK) == 0) return true;
+    from = colon + 1;
+  }
+  return false;
+}
 
 bool run_in(const std::filesystem::path& folder, std::vector<std::string> words, const std::string& input) {
   const pid_t child = start(FileActions(folder, input), words);

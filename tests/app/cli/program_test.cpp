@@ -104,10 +104,10 @@ Surroundings ProgramTest::with_gnuplot(const std::string& script) const {
   return with_tool("gnuplot", script);
 }
 
-Surroundings ProgramTest::with_ffmpeg(const std::string& script) const {
+Surroundings ProgramTest::with_only(const std::string& name, const std::string& script) const {
   Surroundings around;
   around.environment["PATH"] = tools_.path().string();
-  return script.empty() ? around : with_tool("ffmpeg", script);
+  return script.empty() ? around : with_tool(name, script);
 }
 
 Surroundings ProgramTest::with_quick_plots() const {

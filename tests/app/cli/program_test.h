@@ -41,7 +41,9 @@ class ProgramTest : public testing::Test {
   /// Surroundings in which gnuplot is a shell script of this body.
   Surroundings with_gnuplot(const std::string& script) const;
   /// Surroundings in which ffmpeg is a shell script of this body, or missing when it is empty.
-  Surroundings with_ffmpeg(const std::string& script) const;
+  Surroundings with_ffmpeg(const std::string& script) const { return with_only("ffmpeg", script); }
+  /// The same of another program.
+  Surroundings with_only(const std::string& name, const std::string& script) const;
   /// A gnuplot that draws nothing, for tests of everything but the figures.
   Surroundings with_quick_plots() const;
   /// Every file and folder below folder(), sorted.
