@@ -59,7 +59,9 @@ std::string significant(double value, int digits) {
   if (size == 0.0) return "0";
   if (size < 1e-4 || size >= 1e6) return with_sign(value, power_of_ten(size, digits), false);
   const int magnitude = static_cast<int>(std::floor(std::log10(size)));
-  return fixed(value, std::max(0, digits - 1 - magnitude));
+  const double last = std::pow(10.0, magnitude + 1 - digits);
+  const bool rounds_up = std::round(size / last) * last >= std::pow(10.0, magnitude + 1);  // 0.9996: 1.00
+  return fixed(value, std::max(0, digits - 1 - magnitude - (rounds_up ? 1 : 0)));
 }
 
 std::string drift_percent(double ratio) {

@@ -246,6 +246,15 @@ TEST_F(Interrupted, AKilledRunLeavesTheLastThatWasSaved) {
   EXPECT_TRUE(summary("out/deep").at("partial").get<bool>());
 }
 
+TEST_F(Interrupted, HalfTheStepIsLeftOutAndTheRunKept) {
+  const Ran ran = interrupted_run(SIGINT, "Running once more", {});
+  EXPECT_EQ(ran.exit_code, 0) << ran.err;
+  EXPECT_THAT(ran.out, testing::AllOf(HasSubstr("Survived"), Not(HasSubstr("INTERRUPTED"))));
+  EXPECT_FALSE(summary("out/deep").at("partial").get<bool>());
+  EXPECT_TRUE(summary("out/deep").at("numerics").at("half_step").is_null());
+  EXPECT_TRUE(exists("out/deep/report.html"));
+}
+
 TEST_F(Interrupted, APreparationLeavesNothingBehind) {
   const Ran ran =
       interrupted_run(SIGINT, "Preparing",

@@ -303,6 +303,9 @@ TEST(Text, PrintsWhatAReaderExpects) {
   EXPECT_EQ(fixed(-0.001, 2), "0.00");
   EXPECT_EQ(significant(3.2e-7, 2), "3.2 × 10⁻⁷");
   EXPECT_EQ(significant(0.35, 3), "0.350");
+  EXPECT_EQ(significant(0.99999, 3), "1.00");
+  EXPECT_EQ(significant(-9.996, 3), "−10.0");
+  EXPECT_EQ(significant(0.009999, 2), "0.010");
   EXPECT_EQ(displacement(-0.0123), "−12.3 mm");
   EXPECT_EQ(acceleration_g(9.80665), "+1.000 g");
   EXPECT_EQ(fixed(NAN, 2), "n/a");

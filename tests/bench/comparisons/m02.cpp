@@ -56,6 +56,8 @@ Comparison brick_array(const Arguments& arguments) {
   const double step_fraction = arguments.size() > 2 ? std::stod(arguments[2]) : 0.5;
   if (arguments.size() > 3) options.key_restitution = std::stod(arguments[3]);
   if (arguments.size() > 4) options.friction = std::stod(arguments[4]);
+  if (arguments.size() > 5) options.young_modulus = std::stod(arguments[5]);
+  if (arguments.size() > 6) options.key_stiffness = std::stod(arguments[6]);
   std::vector<std::string> names;
   for (const MeasuredBrick& brick : bricks) names.emplace_back(brick.name);
   const auto v = scenes::measured_velocities(scenes::brick_array(motion, options), *motion, names,
