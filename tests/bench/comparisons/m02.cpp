@@ -2,7 +2,8 @@
 //
 //     comparisons M02 FOLDER [sweep rate in Hz/s] [restitution of a brick's point] [step as a part of the
 //     bound]
-//                            [restitution of a key's point] [friction]
+//                            [restitution of a key's point] [friction] [Young's modulus, Pa]
+//                            [of the keys, over that]
 #include <fmt/format.h>
 
 #include <algorithm>
