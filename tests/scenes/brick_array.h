@@ -44,8 +44,7 @@ struct BrickArrayOptions {
   /// speed (binary tests: about 0.9), which meets the measured peaks best
   /// (docs/comparisons/m02-brick-array.md).
   double restitution = 0.917;
-  /// Of a point of a key: no test tells, and a light key between two walls of a slot hardly rebounds.
-  double key_restitution = 0.3;
+  double key_restitution = 0.917;  // of a point of a loose key: no test tells
   double friction = 0.1;
   double young_modulus = 11.8e9;  // Pa
   double key_stiffness = 1.0;     // of the keys' Young's modulus, over that of the bricks
@@ -84,13 +83,31 @@ inline engine::Shape fuel_brick() {
   return engine::make_compound(std::move(parts)).compound;
 }
 
-inline engine::Shape interstitial_brick() {
+/// A bearing key of an interstitial brick, towards +x: it stands in the slot of a fuel brick's face, with
+/// 0.755 mm of play on each side.
+inline std::vector<engine::Vec2> bearing_key() {
+  return {{0.11025, -0.029245}, {0.14, -0.029245}, {0.14, 0.029245}, {0.11025, 0.029245}};
+}
+inline constexpr double key_height = 0.26;  // m, of bearing keys and loose keys
+
+inline engine::Shape octagon() {
   std::vector<engine::Vec2> corners;
   for (int i = 0; i < 4; ++i) {
     corners.push_back(quarter_turns({0.11025, -0.06193}, i));
     corners.push_back(quarter_turns({0.11025, 0.06193}, i));
   }
   return engine::make_polygon(corners).polygon;
+}
+
+/// The octagon with its four bearing keys.
+inline engine::Shape interstitial_brick() {
+  std::vector<engine::Part> parts{{std::get<engine::ConvexPolygon>(octagon()), {}, 0.0}};
+  for (int i = 0; i < 4; ++i) {
+    std::vector<engine::Vec2> key = bearing_key();
+    for (engine::Vec2& p : key) p = quarter_turns(p, i);
+    parts.push_back(polygon_part(key));
+  }
+  return engine::make_compound(std::move(parts)).compound;
 }
 
 /// Polar second moment of a regular polygon of n corners and that area, about its centre:
@@ -120,6 +137,18 @@ inline bool on_ring(int i, int j) {
   return i == 0 || j == 0 || i == 5 || j == 5;
 }
 
+/// The octagon less its bore, and the four keys, which are lower.
+inline engine::Body interstitial_body(double density, double height) {
+  engine::Body body = bored(octagon(), {0.01228, 24}, density, height);
+  const engine::AreaProperties key = engine::area_properties(engine::make_polygon(bearing_key()).polygon);
+  const double arm = 0.5 * (0.11025 + 0.14);  // m, from the brick's middle to a key's
+  const double mass = density * key_height * key.area;
+  body.shape = interstitial_brick();
+  *body.mass += 4.0 * mass;
+  *body.inertia += 4.0 * (density * key_height * key.second_moment + mass * arm * arm);
+  return body;
+}
+
 }  // namespace bricks
 
 /// At rest relative to the frame, which moves at t = 0.
@@ -141,7 +170,7 @@ inline engine::Scene brick_array(std::shared_ptr<const SweptSine> motion,
 
   const double q = brick_pitch;
   const engine::Body fuel = bricks::bored(bricks::fuel_brick(), {0.053437, 24}, 1687.7, 0.907);
-  const engine::Body interstitial = bricks::bored(bricks::interstitial_brick(), {0.01228, 24}, 1637.4, 0.907);
+  const engine::Body interstitial = bricks::interstitial_body(1637.4, 0.907);
   const auto add = [&](engine::Body brick, const std::string& name, engine::Vec2 place, bool fixed) {
     if (fixed) {
       engine::Terrain terrain;
@@ -167,7 +196,7 @@ inline engine::Scene brick_array(std::shared_ptr<const SweptSine> motion,
     }
   engine::Body key;
   key.shape = engine::make_rectangle(0.0735, 0.02495);
-  key.material = 1, key.thickness = 0.26;
+  key.material = 1, key.thickness = bricks::key_height;
   for (int i = 0; i < 5; ++i)
     for (int j = 0; j < 5; ++j)
       for (int k = 0; k < 4; ++k) {

@@ -45,6 +45,18 @@ std::string table_row(const MeasuredBrick& brick, const scenes::BrickVelocities&
       near(v, ratio, 6.0), brick.seven, near(v, ratio, 7.5), brick.nine, near(v, ratio, 9.5));
 }
 
+/// Of the five bricks that share a resonance: the highest mean of their ratios, and where.
+std::string common_peak(const scenes::BrickVelocities& v) {
+  double highest = 0.0, at = 0.0;
+  for (std::size_t i = 0; i < v.frequency.size(); ++i) {
+    double sum = 0.0;
+    for (const MeasuredBrick& brick : bricks)
+      if (brick.at < 6.0) sum += v.ratio.at(brick.name)[i] / 5.0;
+    if (sum > highest) highest = sum, at = v.frequency[i];
+  }
+  return fmt::format("\nMean of the five that peak together: {:.2f} at {:.2f} Hz.\n", highest, at);
+}
+
 }  // namespace
 
 Comparison brick_array(const Arguments& arguments) {
@@ -52,7 +64,6 @@ Comparison brick_array(const Arguments& arguments) {
   const double window = 0.1 / sweep_rate;                                       // s, 0.1 Hz
   const auto motion = std::make_shared<const scenes::SweptSine>(0.3 * 9.81, 3.0, 10.0, sweep_rate, 2.0);
   scenes::BrickArrayOptions options;
-  options.key_stiffness = 0.01;
   if (arguments.size() > 1) options.restitution = std::stod(arguments[1]);
   const double step_fraction = arguments.size() > 2 ? std::stod(arguments[2]) : 0.5;
   if (arguments.size() > 3) options.key_restitution = std::stod(arguments[3]);
@@ -87,6 +98,7 @@ Comparison brick_array(const Arguments& arguments) {
         i + 2, app::to_hex(app::category(i)), brick.name, i, i + 1 < std::size(bricks) ? ", " : "\n");
   }
   figure.data["curves"] = columns(curves);
+  comparison.table += common_peak(v);
   comparison.table +=
       fmt::format("\n{} steps, the smallest {:.2g} s.\n", v.outcome.steps, v.outcome.smallest_step);
   return comparison;

@@ -31,6 +31,29 @@ TEST(BrickArray, HasThePublishedBricks) {
                   *fuel->inertia, 0.001);
 }
 
+// Octagon less bore at full height, bearing keys of 58.49 x 29.75 x 260 mm.
+TEST(BrickArray, HasInterstitialBricksWithBearingKeys) {
+  const Body brick = scenes::bricks::interstitial_body(1637.4, 0.907);
+  EXPECT_NEAR(area_properties(scenes::bricks::octagon()).area, 0.04395, 1e-5);
+  expect_relative("M02", "mass of an interstitial brick",
+                  1637.4 * (0.907 * (0.04395 - 0.01228) + 4 * 0.26 * 0.05849 * 0.02975), *brick.mass, 1e-3);
+  EXPECT_EQ(std::get<Compound>(brick.shape).parts.size(), 5u);
+  EXPECT_NEAR(0.03 - 0.029245, 0.000755, 1e-12) << "the play of a bearing key in its slot, m";
+}
+
+// A row of fuel bricks could roll along the fixed ones like gears on a rack, did the bearing keys not hold
+// it.
+TEST(BrickArray, HoldsTheRowBesideTheFrame) {
+  const auto motion = dwell(4.0);
+  scenes::BrickArrayOptions options;
+  options.key_stiffness = 0.01;
+  const auto measured = scenes::measured_velocities(scenes::brick_array(motion, options), *motion,
+                                                    {"FB1(3)(4)", "FB2(2)(2)"}, 3.0, 1.0);
+  const double beside = measured.ratio.at("FB1(3)(4)").at(1), middle = measured.ratio.at("FB2(2)(2)").at(1);
+  EXPECT_LT(beside, 0.85 * middle) << beside << " and " << middle;
+  EXPECT_GT(middle, 1.4) << "bricks in the middle are thrown from side to side";
+}
+
 // The least gap in the array is half of what a key has in the width of its slot: nothing touches at the
 // start.
 TEST(BrickArray, StartsWithItsGapsOpen) {
