@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "app/report/axis.h"
 #include "app/report/page.h"
@@ -43,8 +42,7 @@ std::string overlap_words(const Numerics& n) {
 std::string mean_overlap_words(const Numerics& n) {
   const auto& means = n.mean_overlap_ratio;
   if (means.empty()) return "not kept in this results file";
-  const double mean = std::accumulate(means.begin(), means.end(), 0.0) / static_cast<double>(means.size());
-  return significant(100 * mean, 2) + " % of the smaller block's width, " +
+  return significant(100 * mean_of(means), 2) + " % of the smaller block's width, " +
          significant(100 * std::ranges::max(means), 2) + " % at the most";
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numeric>
 
 #include "app/report/spread_text.h"
 #include "app/report/weight_joints_report.h"
@@ -178,11 +177,6 @@ Json energy_part(const EnergyHistory& energy) {
           {"relative_error", metric(energy.relative_error, "1")},
           {"standing_error", metric(energy.standing_error, "1")},
           {"input_error", metric(energy.input_error, "1")}};
-}
-
-double mean_of(const std::vector<double>& values) {
-  const double sum = std::accumulate(values.begin(), values.end(), 0.0);
-  return values.empty() ? 0.0 : sum / static_cast<double>(values.size());
 }
 
 Json half_step_part(const EnsembleSheet& ensemble) {
