@@ -107,7 +107,7 @@ void Terminal::progress(const TradeoffProgress& p) {
 void Terminal::progress(const EnsembleProgress& p) {
   const double total = static_cast<double>(std::max<std::size_t>(p.total, 1));
   show_progress(std::min(static_cast<double>(p.done) + p.part, total), total,
-                fmt::format("{} of {} runs", p.done, p.total));
+                p.total == 1 ? "of the run" : fmt::format("{} of {} runs", p.done, p.total));
 }
 
 void Terminal::progress(const StaticProgress& p) {
